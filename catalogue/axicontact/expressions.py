@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from ._runtime.interface import programs
+from ._runtime.symbols import SYMBOLS
 
 __all__ = ["expression"]
 
@@ -91,6 +92,8 @@ class _Expression:
 
     def __call__(self, *fields: Any, **keywords: Any) -> Any:
         arguments = dict(zip(self.fields, fields, strict=False)) | keywords
+        left_out = [name for name in self.function.__kwdefaults__ or () if arguments.get(name) is None]
+        arguments |= {name: arguments.get(SYMBOLS[name].otherwise) for name in left_out}
         return self.formula(**{name: value for name, value in arguments.items() if name in self.arguments})
 
     def __reduce__(self) -> Any:

@@ -35,6 +35,7 @@ INSIDE = {
     "t_0": (0.0, inf),
     "v_2": (0.0, inf),
     "t_m": (0.0, inf),
+    "t_h": (0.0, inf),
     "young_1": (0.0, inf),
     "young_2": (0.0, inf),
     "C_11": (0.0, inf),

@@ -16,6 +16,8 @@ class Domain(NamedTuple):
     """What to use for a value outside."""
     letter: str = ""
     """How the interface writes the parameter, where it shares its letter with another one."""
+    otherwise: str = ""
+    """The parameter that stands for it where it is not given."""
 
 
 SYMBOLS = {
@@ -69,8 +71,11 @@ SYMBOLS = {
         instead="use the Maxwell law for a fluid (alpha = 1) and the elastic contact for alpha = 0",
     ),
     "t_0": Domain("t_0 > 0", "reference time of power-law creep, J = (t/t_0)^alpha/E, in s"),
-    "v_2": Domain("v_2 > 0", "speed of retraction, from t_m on, in m/s"),
-    "t_m": Domain("t_m > 0", "time at which the indenter turns back, in s"),
+    "v_2": Domain("v_2 > 0", "speed of retraction, from t_h on, in m/s"),
+    "t_m": Domain("t_m > 0", "time at which the indenter stops, in s"),
+    "t_h": Domain(
+        "t_h >= t_m", "time at which it goes back, held at v t_m until then, in s", closed="low", otherwise="t_m"
+    ),
     "young_1": Domain("E_1 > 0", "Young's modulus of the first body, in Pa", letter="E_1"),
     "young_2": Domain("E_2 > 0", "Young's modulus of the second body, in Pa", letter="E_2"),
     "C_11": Domain("C_11 > 0", "elastic constant, along the surface, in Pa"),
@@ -135,6 +140,7 @@ UNITS = {
     "t_0": "s",
     "v_2": "m/s",
     "t_m": "s",
+    "t_h": "s",
     "E_2": "Pa",
     "C_11": "Pa",
     "C_33": "Pa",

@@ -619,8 +619,7 @@ def _state(a: Array, start: Array, theta: Array, E_star: Array, dgamma: Array, s
 
 def _pull_off_radius(theta: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str) -> Array:
     return radius_of_pull_off(
-        lambda a,
-        start: _state(a, start, theta, E_star, dgamma, sigma_0, control),
+        lambda a, start: _state(a, start, theta, E_star, dgamma, sigma_0, control),
         _radii(theta, E_star, dgamma, sigma_0),
     )
 
@@ -662,8 +661,7 @@ def _held_apart(d: Array, theta: Array, E_star: Array, dgamma: Array, sigma_0: A
 
 def _radius_from_depth(d: Array, theta: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     a = radius_under(
-        lambda a,
-        start: _state(a, start, theta, E_star, dgamma, sigma_0, "depth"),
+        lambda a, start: _state(a, start, theta, E_star, dgamma, sigma_0, "depth"),
         d,
         _radii(theta, E_star, dgamma, sigma_0),
     )
@@ -672,8 +670,7 @@ def _radius_from_depth(d: Array, theta: Array, E_star: Array, dgamma: Array, sig
 
 def _radius_from_force(F: Array, theta: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     return radius_under(
-        lambda a,
-        start: _state(a, start, theta, E_star, dgamma, sigma_0, "force"),
+        lambda a, start: _state(a, start, theta, E_star, dgamma, sigma_0, "force"),
         F,
         _radii(theta, E_star, dgamma, sigma_0),
     )

@@ -697,8 +697,7 @@ def _held_apart(d: Array, h: Array, b: Array, E_star: Array, dgamma: Array, sigm
 
 def _radius_from_depth(d: Array, h: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     a = radius_under(
-        lambda a,
-        start: _state(a, start, h, b, E_star, dgamma, sigma_0, "depth"),
+        lambda a, start: _state(a, start, h, b, E_star, dgamma, sigma_0, "depth"),
         d,
         _radii(h, b, E_star, dgamma, sigma_0),
     )
@@ -707,8 +706,7 @@ def _radius_from_depth(d: Array, h: Array, b: Array, E_star: Array, dgamma: Arra
 
 def _radius_from_force(F: Array, h: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     return radius_under(
-        lambda a,
-        start: _state(a, start, h, b, E_star, dgamma, sigma_0, "force"),
+        lambda a, start: _state(a, start, h, b, E_star, dgamma, sigma_0, "force"),
         F,
         _radii(h, b, E_star, dgamma, sigma_0),
     )

@@ -676,8 +676,7 @@ def _state(
 
 def _pull_off_radius(theta: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str) -> Array:
     return radius_of_pull_off(
-        lambda a,
-        start: _state(a, start, theta, b, E_star, dgamma, sigma_0, control),
+        lambda a, start: _state(a, start, theta, b, E_star, dgamma, sigma_0, control),
         _radii(theta, b, E_star, dgamma, sigma_0),
     )
 
@@ -721,8 +720,7 @@ def _held_apart(d: Array, theta: Array, b: Array, E_star: Array, dgamma: Array, 
 
 def _radius_from_depth(d: Array, theta: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     a = radius_under(
-        lambda a,
-        start: _state(a, start, theta, b, E_star, dgamma, sigma_0, "depth"),
+        lambda a, start: _state(a, start, theta, b, E_star, dgamma, sigma_0, "depth"),
         d,
         _radii(theta, b, E_star, dgamma, sigma_0),
     )
@@ -731,8 +729,7 @@ def _radius_from_depth(d: Array, theta: Array, b: Array, E_star: Array, dgamma: 
 
 def _radius_from_force(F: Array, theta: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     return radius_under(
-        lambda a,
-        start: _state(a, start, theta, b, E_star, dgamma, sigma_0, "force"),
+        lambda a, start: _state(a, start, theta, b, E_star, dgamma, sigma_0, "force"),
         F,
         _radii(theta, b, E_star, dgamma, sigma_0),
     )

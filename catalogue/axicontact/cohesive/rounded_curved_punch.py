@@ -724,8 +724,7 @@ def _pull_off_radius(
     R1: Array, R2: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str
 ) -> Array:
     return radius_of_pull_off(
-        lambda a,
-        start: _state(a, start, R1, R2, b, E_star, dgamma, sigma_0, control),
+        lambda a, start: _state(a, start, R1, R2, b, E_star, dgamma, sigma_0, control),
         _radii(R1, R2, b, E_star, dgamma, sigma_0),
     )
 
@@ -777,8 +776,7 @@ def _held_apart(d: Array, R1: Array, R2: Array, b: Array, E_star: Array, dgamma:
 
 def _radius_from_depth(d: Array, R1: Array, R2: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     a = radius_under(
-        lambda a,
-        start: _state(a, start, R1, R2, b, E_star, dgamma, sigma_0, "depth"),
+        lambda a, start: _state(a, start, R1, R2, b, E_star, dgamma, sigma_0, "depth"),
         d,
         _radii(R1, R2, b, E_star, dgamma, sigma_0),
     )
@@ -787,8 +785,7 @@ def _radius_from_depth(d: Array, R1: Array, R2: Array, b: Array, E_star: Array, 
 
 def _radius_from_force(F: Array, R1: Array, R2: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     return radius_under(
-        lambda a,
-        start: _state(a, start, R1, R2, b, E_star, dgamma, sigma_0, "force"),
+        lambda a, start: _state(a, start, R1, R2, b, E_star, dgamma, sigma_0, "force"),
         F,
         _radii(R1, R2, b, E_star, dgamma, sigma_0),
     )

@@ -631,8 +631,7 @@ def _state(
 
 def _pull_off_radius(R: Array, theta: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str) -> Array:
     return radius_of_pull_off(
-        lambda a,
-        start: _state(a, start, R, theta, E_star, dgamma, sigma_0, control),
+        lambda a, start: _state(a, start, R, theta, E_star, dgamma, sigma_0, control),
         _radii(R, theta, E_star, dgamma, sigma_0),
     )
 
@@ -676,8 +675,7 @@ def _held_apart(d: Array, R: Array, theta: Array, E_star: Array, dgamma: Array, 
 
 def _radius_from_depth(d: Array, R: Array, theta: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     a = radius_under(
-        lambda a,
-        start: _state(a, start, R, theta, E_star, dgamma, sigma_0, "depth"),
+        lambda a, start: _state(a, start, R, theta, E_star, dgamma, sigma_0, "depth"),
         d,
         _radii(R, theta, E_star, dgamma, sigma_0),
     )
@@ -686,8 +684,7 @@ def _radius_from_depth(d: Array, R: Array, theta: Array, E_star: Array, dgamma: 
 
 def _radius_from_force(F: Array, R: Array, theta: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     return radius_under(
-        lambda a,
-        start: _state(a, start, R, theta, E_star, dgamma, sigma_0, "force"),
+        lambda a, start: _state(a, start, R, theta, E_star, dgamma, sigma_0, "force"),
         F,
         _radii(R, theta, E_star, dgamma, sigma_0),
     )

@@ -1,4 +1,4 @@
-"""Contact with a viscoelastic half-space, while it grows and on the way back."""
+"""Contact with a viscoelastic half-space, while it grows, is held and on the way back."""
 
 from __future__ import annotations
 

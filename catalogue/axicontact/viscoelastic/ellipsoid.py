@@ -35,6 +35,7 @@ from .._runtime.physics.retraction import (
     lag_power_creep,
     lag_standard_solid,
     passed,
+    require_hold,
 )
 from ..normal import ellipsoid as normal
 
@@ -131,11 +132,18 @@ def ramp_force_maxwell(
 
 
 def earlier_time_maxwell(
-    t: ArrayLike, *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, tau: ArrayLike
+    t: ArrayLike,
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    tau: ArrayLike,
 ) -> Result:
     """Time before t at which the contact was as large on a Maxwell fluid; zero after its end.
 
-    t_1 = tau*log(1 - v_2*(exp((-t_m + t)/tau) - 1)/v) + t_m
+    t_1 = tau*log(1 - v_2*(-exp((t_h - t_m)/tau) + exp((-t_m + t)/tau))/v) + t_m
 
     Parameters
     ----------
@@ -144,9 +152,11 @@ def earlier_time_maxwell(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -164,8 +174,9 @@ def earlier_time_maxwell(
 
     Notes
     -----
-    Valid for a < b; small slopes, a ramp up to t_m and then a constant speed back, so that the contact has
-    one maximum, and no adhesion. Negative or NaN times give NaN. Handbook: ellipsoid.vis.earlier_mx.
+    Valid for a < b; small slopes, a ramp up to t_m, a depth that is held up to t_h and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to t_m it
+    is t, and t_m while the depth is held. Handbook: ellipsoid.vis.earlier_mx.
 
     References
     ----------
@@ -174,27 +185,32 @@ def earlier_time_maxwell(
     Examples
     --------
     >>> from axicontact.viscoelastic import ellipsoid
-    >>> value = ellipsoid.earlier_time_maxwell(1.0, v=0.2, v_2=0.05, t_m=0.9, E=1.0, tau=2.0)
+    >>> value = ellipsoid.earlier_time_maxwell(1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, tau=2.0)
     >>> round(value, 6)
-    0.874199
+    0.772867
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, relaxation=tau)
-    return elementwise(_earlier_time_maxwell, t, v=v, v_2=v_2, t_m=t_m, E=E, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, relaxation=tau)
+    return elementwise(_earlier_time_maxwell, t, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, tau=tau)
 
 
-def contact_time_maxwell(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, tau: ArrayLike) -> Result:
+def contact_time_maxwell(
+    *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, t_h: ArrayLike | None = None, E: ArrayLike, tau: ArrayLike
+) -> Result:
     """Time at which the contact with a Maxwell fluid ends on the way back.
 
-    t_c = tau*log(v*(1 - exp(-t_m/tau))/v_2 + 1) + t_m
+    t_c = tau*log(v*(exp(t_m/tau) - 1)*exp(-t_h/tau)/v_2 + 1) + t_h
 
     Parameters
     ----------
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -212,8 +228,8 @@ def contact_time_maxwell(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: Arr
 
     Notes
     -----
-    Valid for a < b; small slopes, a ramp up to t_m and then a constant speed back, so that the contact has
-    one maximum, and no adhesion. Handbook: ellipsoid.vis.end_mx.
+    Valid for a < b; small slopes, a ramp up to t_m, a depth that is held up to t_h and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Handbook: ellipsoid.vis.end_mx.
 
     References
     ----------
@@ -222,12 +238,13 @@ def contact_time_maxwell(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: Arr
     Examples
     --------
     >>> from axicontact.viscoelastic import ellipsoid
-    >>> value = ellipsoid.contact_time_maxwell(v=0.2, v_2=0.05, t_m=0.9, E=1.0, tau=2.0)
+    >>> value = ellipsoid.contact_time_maxwell(v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, tau=2.0)
     >>> round(value, 6)
-    2.691758
+    2.525772
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, relaxation=tau)
-    return elementwise(_contact_time_maxwell, v=v, v_2=v_2, t_m=t_m, E=E, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, relaxation=tau)
+    return elementwise(_contact_time_maxwell, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, tau=tau)
 
 
 def retract_force_maxwell(
@@ -238,10 +255,11 @@ def retract_force_maxwell(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E: ArrayLike,
     tau: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a Maxwell fluid, pressed in at v until t_m, then back at v_2.
+    """Normal force at time t on a Maxwell fluid, pressed in at v until t_m, from t_h on back at v_2.
 
     F = 2*v*Integral(-E*tau*(1 - exp(-(-t_1 + t)/tau)) + E*tau*(1 - exp(-(t -
     h*x*atanh(x/b)/(b*v))/tau)), (x, 0, a))
@@ -257,9 +275,11 @@ def retract_force_maxwell(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -277,10 +297,10 @@ def retract_force_maxwell(
 
     Notes
     -----
-    Valid for a < b; small slopes, a ramp up to t_m and then a constant speed back, so that the contact has
-    one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_maxwell; up to t_m
-    it is t, and the force that of the ramp. Here a is the contact radius of the elastic contact at the depth
-    v t_1: a from a*h*atanh(a/b)/b = d. Handbook: ellipsoid.vis.retract_mx.
+    Valid for a < b; small slopes, a ramp up to t_m, a depth that is held up to t_h and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
+    earlier_time_maxwell; up to t_m it is t, and the force that of the ramp. Here a is the contact radius of
+    the elastic contact at the depth v t_1: a from a*h*atanh(a/b)/b = d. Handbook: ellipsoid.vis.retract_mx.
 
     References
     ----------
@@ -289,12 +309,15 @@ def retract_force_maxwell(
     Examples
     --------
     >>> from axicontact.viscoelastic import ellipsoid
-    >>> value = ellipsoid.retract_force_maxwell(1.0, h=0.9, b=1.5, v=0.2, v_2=0.05, t_m=0.9, E=1.0, tau=2.0)
+    >>> value = ellipsoid.retract_force_maxwell(
+    ...     1.0, h=0.9, b=1.5, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, tau=2.0
+    ... )
     >>> round(value, 6)
-    0.119802
+    0.096714
     """
-    require(h=h, b=b, v=v, v_2=v_2, t_m=t_m, E=E, relaxation=tau)
-    return elementwise(_retract_force_maxwell, t, h=h, b=b, v=v, v_2=v_2, t_m=t_m, E=E, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(h=h, b=b, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, relaxation=tau)
+    return elementwise(_retract_force_maxwell, t, h=h, b=b, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, tau=tau)
 
 
 def retract_radius_maxwell(
@@ -305,10 +328,11 @@ def retract_radius_maxwell(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E: ArrayLike,
     tau: ArrayLike,
 ) -> Result:
-    """Contact radius at time t on a Maxwell fluid, pressed in at v until t_m, then back at v_2.
+    """Contact radius at time t on a Maxwell fluid, pressed in at v until t_m, from t_h on back at v_2.
 
     a from a*h*atanh(a/b)/b = t_1*v
 
@@ -323,9 +347,11 @@ def retract_radius_maxwell(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -343,9 +369,10 @@ def retract_radius_maxwell(
 
     Notes
     -----
-    Valid for a < b; small slopes, a ramp up to t_m and then a constant speed back, so that the contact has
-    one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_maxwell; up to t_m
-    it is t, and the force that of the ramp. Handbook: ellipsoid.vis.radius_mx.
+    Valid for a < b; small slopes, a ramp up to t_m, a depth that is held up to t_h and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
+    earlier_time_maxwell; up to t_m it is t, and the force that of the ramp. Handbook:
+    ellipsoid.vis.radius_mx.
 
     References
     ----------
@@ -354,12 +381,15 @@ def retract_radius_maxwell(
     Examples
     --------
     >>> from axicontact.viscoelastic import ellipsoid
-    >>> value = ellipsoid.retract_radius_maxwell(1.0, h=0.9, b=1.5, v=0.2, v_2=0.05, t_m=0.9, E=1.0, tau=2.0)
+    >>> value = ellipsoid.retract_radius_maxwell(
+    ...     1.0, h=0.9, b=1.5, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, tau=2.0
+    ... )
     >>> round(value, 6)
-    0.639671
+    0.6038
     """
-    require(h=h, b=b, v=v, v_2=v_2, t_m=t_m, E=E, relaxation=tau)
-    return elementwise(_retract_radius_maxwell, t, h=h, b=b, v=v, v_2=v_2, t_m=t_m, E=E, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(h=h, b=b, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, relaxation=tau)
+    return elementwise(_retract_radius_maxwell, t, h=h, b=b, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, tau=tau)
 
 
 def step_force_maxwell(
@@ -521,11 +551,18 @@ def ramp_force_kelvin_voigt(
 
 
 def earlier_time_kelvin_voigt(
-    t: ArrayLike, *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, eta: ArrayLike
+    t: ArrayLike,
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    eta: ArrayLike,
 ) -> Result:
     """Time before t at which the contact was as large on a Kelvin-Voigt solid; zero after its end.
 
-    t_1 = t_m - v_2*(-t_m + t + eta/E)/v
+    t_1 = t_m - v_2*(-t_h + t + eta/E)/v
 
     Parameters
     ----------
@@ -534,9 +571,11 @@ def earlier_time_kelvin_voigt(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -554,8 +593,9 @@ def earlier_time_kelvin_voigt(
 
     Notes
     -----
-    Valid for a < b; small slopes, a ramp up to t_m and then a constant speed back, so that the contact has
-    one maximum, and no adhesion. Negative or NaN times give NaN. Handbook: ellipsoid.vis.earlier_kv.
+    Valid for a < b; small slopes, a ramp up to t_m, a depth that is held up to t_h and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to t_m it
+    is t, and t_m while the depth is held. Handbook: ellipsoid.vis.earlier_kv.
 
     References
     ----------
@@ -564,27 +604,32 @@ def earlier_time_kelvin_voigt(
     Examples
     --------
     >>> from axicontact.viscoelastic import ellipsoid
-    >>> value = ellipsoid.earlier_time_kelvin_voigt(1.0, v=0.2, v_2=0.05, t_m=0.9, E=1.0, eta=1.5)
+    >>> value = ellipsoid.earlier_time_kelvin_voigt(1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, eta=1.5)
     >>> round(value, 6)
-    0.5
+    0.4
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
-    return elementwise(_earlier_time_kelvin_voigt, t, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
+    return elementwise(_earlier_time_kelvin_voigt, t, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
 
 
-def contact_time_kelvin_voigt(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, eta: ArrayLike) -> Result:
+def contact_time_kelvin_voigt(
+    *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, t_h: ArrayLike | None = None, E: ArrayLike, eta: ArrayLike
+) -> Result:
     """Time at which the contact with a Kelvin-Voigt solid ends on the way back.
 
-    t_c = t_m*v/v_2 + t_m - eta/E
+    t_c = t_h + t_m*v/v_2 - eta/E
 
     Parameters
     ----------
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -602,8 +647,8 @@ def contact_time_kelvin_voigt(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E
 
     Notes
     -----
-    Valid for a < b; small slopes, a ramp up to t_m and then a constant speed back, so that the contact has
-    one maximum, and no adhesion. Handbook: ellipsoid.vis.end_kv.
+    Valid for a < b; small slopes, a ramp up to t_m, a depth that is held up to t_h and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Handbook: ellipsoid.vis.end_kv.
 
     References
     ----------
@@ -612,12 +657,13 @@ def contact_time_kelvin_voigt(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E
     Examples
     --------
     >>> from axicontact.viscoelastic import ellipsoid
-    >>> value = ellipsoid.contact_time_kelvin_voigt(v=0.2, v_2=0.05, t_m=0.9, E=1.0, eta=1.5)
+    >>> value = ellipsoid.contact_time_kelvin_voigt(v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, eta=1.5)
     >>> round(value, 6)
-    3.0
+    2.6
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
-    return elementwise(_contact_time_kelvin_voigt, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
+    return elementwise(_contact_time_kelvin_voigt, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
 
 
 def retract_force_kelvin_voigt(
@@ -628,10 +674,11 @@ def retract_force_kelvin_voigt(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E: ArrayLike,
     eta: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a Kelvin-Voigt solid, pressed in at v until t_m, then back at v_2.
+    """Normal force at time t on a Kelvin-Voigt solid, pressed in at v until t_m, from t_h on back at v_2.
 
     F = E*h*(-a + (a**2 + b**2)*atanh(a/b)/b)
 
@@ -646,9 +693,11 @@ def retract_force_kelvin_voigt(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -666,10 +715,11 @@ def retract_force_kelvin_voigt(
 
     Notes
     -----
-    Valid for a < b; small slopes, a ramp up to t_m and then a constant speed back, so that the contact has
-    one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_kelvin_voigt; up to
-    t_m it is t, and the force that of the ramp. Here a is the contact radius of the elastic contact at the
-    depth v t_1: a from a*h*atanh(a/b)/b = d. Handbook: ellipsoid.vis.retract_kv.
+    Valid for a < b; small slopes, a ramp up to t_m, a depth that is held up to t_h and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
+    earlier_time_kelvin_voigt; up to t_m it is t, and the force that of the ramp. Here a is the contact radius
+    of the elastic contact at the depth v t_1: a from a*h*atanh(a/b)/b = d. Handbook:
+    ellipsoid.vis.retract_kv.
 
     References
     ----------
@@ -678,12 +728,15 @@ def retract_force_kelvin_voigt(
     Examples
     --------
     >>> from axicontact.viscoelastic import ellipsoid
-    >>> value = ellipsoid.retract_force_kelvin_voigt(1.0, h=0.9, b=1.5, v=0.2, v_2=0.05, t_m=0.9, E=1.0, eta=1.5)
+    >>> value = ellipsoid.retract_force_kelvin_voigt(
+    ...     1.0, h=0.9, b=1.5, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, eta=1.5
+    ... )
     >>> round(value, 6)
-    0.065925
+    0.047278
     """
-    require(h=h, b=b, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
-    return elementwise(_retract_force_kelvin_voigt, t, h=h, b=b, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
+    t_h = require_hold(t_m, t_h)
+    require(h=h, b=b, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
+    return elementwise(_retract_force_kelvin_voigt, t, h=h, b=b, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
 
 
 def retract_radius_kelvin_voigt(
@@ -694,10 +747,11 @@ def retract_radius_kelvin_voigt(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E: ArrayLike,
     eta: ArrayLike,
 ) -> Result:
-    """Contact radius at time t on a Kelvin-Voigt solid, pressed in at v until t_m, then back at v_2.
+    """Contact radius at time t on a Kelvin-Voigt solid, pressed in at v until t_m, from t_h on back at v_2.
 
     a from a*h*atanh(a/b)/b = t_1*v
 
@@ -712,9 +766,11 @@ def retract_radius_kelvin_voigt(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -732,9 +788,10 @@ def retract_radius_kelvin_voigt(
 
     Notes
     -----
-    Valid for a < b; small slopes, a ramp up to t_m and then a constant speed back, so that the contact has
-    one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_kelvin_voigt; up to
-    t_m it is t, and the force that of the ramp. Handbook: ellipsoid.vis.radius_kv.
+    Valid for a < b; small slopes, a ramp up to t_m, a depth that is held up to t_h and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
+    earlier_time_kelvin_voigt; up to t_m it is t, and the force that of the ramp. Handbook:
+    ellipsoid.vis.radius_kv.
 
     References
     ----------
@@ -743,12 +800,15 @@ def retract_radius_kelvin_voigt(
     Examples
     --------
     >>> from axicontact.viscoelastic import ellipsoid
-    >>> value = ellipsoid.retract_radius_kelvin_voigt(1.0, h=0.9, b=1.5, v=0.2, v_2=0.05, t_m=0.9, E=1.0, eta=1.5)
+    >>> value = ellipsoid.retract_radius_kelvin_voigt(
+    ...     1.0, h=0.9, b=1.5, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, eta=1.5
+    ... )
     >>> round(value, 6)
-    0.490725
+    0.440579
     """
-    require(h=h, b=b, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
-    return elementwise(_retract_radius_kelvin_voigt, t, h=h, b=b, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
+    t_h = require_hold(t_m, t_h)
+    require(h=h, b=b, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
+    return elementwise(_retract_radius_kelvin_voigt, t, h=h, b=b, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
 
 
 def step_force_kelvin_voigt(
@@ -913,12 +973,21 @@ def ramp_force_standard_solid(
 
 
 def earlier_time_standard_solid(
-    t: ArrayLike, *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E_inf: ArrayLike, E_1: ArrayLike, tau: ArrayLike
+    t: ArrayLike,
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E_inf: ArrayLike,
+    E_1: ArrayLike,
+    tau: ArrayLike,
 ) -> Result:
     """Time before t at which the contact was as large on a standard solid; zero after its end.
 
-    t_1 from E_1*tau*(1 - exp(-(-t_1 + t)/tau)) + E_inf*(-t_1 + t) = (1 +
-    v_2/v)*(E_1*tau*(1 - exp(-(-t_m + t)/tau)) + E_inf*(-t_m + t))
+    t_1 from E_1*tau*(1 - exp(-(-t_1 + t)/tau)) + E_inf*(-t_1 + t) = E_1*tau*(1 -
+    exp(-(-t_m + t)/tau)) + E_inf*(-t_m + t) + v_2*(E_1*tau*(1 - exp(-(-t_h +
+    t)/tau)) + E_inf*(-t_h + t))/v
 
     Parameters
     ----------
@@ -927,9 +996,11 @@ def earlier_time_standard_solid(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -949,8 +1020,9 @@ def earlier_time_standard_solid(
 
     Notes
     -----
-    Valid for a < b; small slopes, a ramp up to t_m and then a constant speed back, so that the contact has
-    one maximum, and no adhesion. Negative or NaN times give NaN. Handbook: ellipsoid.vis.earlier_sls.
+    Valid for a < b; small slopes, a ramp up to t_m, a depth that is held up to t_h and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to t_m it
+    is t, and t_m while the depth is held. Handbook: ellipsoid.vis.earlier_sls.
 
     References
     ----------
@@ -959,30 +1031,43 @@ def earlier_time_standard_solid(
     Examples
     --------
     >>> from axicontact.viscoelastic import ellipsoid
-    >>> value = ellipsoid.earlier_time_standard_solid(1.0, v=0.2, v_2=0.05, t_m=0.9, E_inf=0.4, E_1=0.6, tau=2.0)
+    >>> value = ellipsoid.earlier_time_standard_solid(
+    ...     1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E_inf=0.4, E_1=0.6, tau=2.0
+    ... )
     >>> round(value, 6)
-    0.874531
+    0.773779
     """
-    require(v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, relaxation=tau)
-    return elementwise(_earlier_time_standard_solid, t, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, relaxation=tau)
+    return elementwise(_earlier_time_standard_solid, t, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, tau=tau)
 
 
 def contact_time_standard_solid(
-    *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E_inf: ArrayLike, E_1: ArrayLike, tau: ArrayLike
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E_inf: ArrayLike,
+    E_1: ArrayLike,
+    tau: ArrayLike,
 ) -> Result:
     """Time at which the contact with a standard solid ends on the way back.
 
-    t_c from E_1*tau*(1 - exp(-t_c/tau)) + E_inf*t_c = (1 + v_2/v)*(E_1*tau*(1 -
-    exp(-(t_c - t_m)/tau)) + E_inf*(t_c - t_m))
+    t_c from E_1*tau*(1 - exp(-t_c/tau)) + E_inf*t_c = E_1*tau*(1 - exp(-(t_c -
+    t_m)/tau)) + E_inf*(t_c - t_m) + v_2*(E_1*tau*(1 - exp(-(t_c - t_h)/tau)) +
+    E_inf*(t_c - t_h))/v
 
     Parameters
     ----------
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -1002,8 +1087,8 @@ def contact_time_standard_solid(
 
     Notes
     -----
-    Valid for a < b; small slopes, a ramp up to t_m and then a constant speed back, so that the contact has
-    one maximum, and no adhesion. Handbook: ellipsoid.vis.end_sls.
+    Valid for a < b; small slopes, a ramp up to t_m, a depth that is held up to t_h and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Handbook: ellipsoid.vis.end_sls.
 
     References
     ----------
@@ -1012,12 +1097,15 @@ def contact_time_standard_solid(
     Examples
     --------
     >>> from axicontact.viscoelastic import ellipsoid
-    >>> value = ellipsoid.contact_time_standard_solid(v=0.2, v_2=0.05, t_m=0.9, E_inf=0.4, E_1=0.6, tau=2.0)
+    >>> value = ellipsoid.contact_time_standard_solid(
+    ...     v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E_inf=0.4, E_1=0.6, tau=2.0
+    ... )
     >>> round(value, 6)
-    3.501344
+    3.220085
     """
-    require(v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, relaxation=tau)
-    return elementwise(_contact_time_standard_solid, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, relaxation=tau)
+    return elementwise(_contact_time_standard_solid, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, tau=tau)
 
 
 def retract_force_standard_solid(
@@ -1028,11 +1116,12 @@ def retract_force_standard_solid(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E_inf: ArrayLike,
     E_1: ArrayLike,
     tau: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a standard solid, pressed in at v until t_m, then back at v_2.
+    """Normal force at time t on a standard solid, pressed in at v until t_m, from t_h on back at v_2.
 
     F = 2*v*Integral(-E_1*tau*(1 - exp(-(-t_1 + t)/tau)) + E_1*tau*(1 - exp(-(t -
     h*x*atanh(x/b)/(b*v))/tau)) - E_inf*(-t_1 + t) + E_inf*(t - h*x*atanh(x/b)/(b*v)), (x, 0, a))
@@ -1048,9 +1137,11 @@ def retract_force_standard_solid(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -1070,10 +1161,11 @@ def retract_force_standard_solid(
 
     Notes
     -----
-    Valid for a < b; small slopes, a ramp up to t_m and then a constant speed back, so that the contact has
-    one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_standard_solid; up
-    to t_m it is t, and the force that of the ramp. Here a is the contact radius of the elastic contact at the
-    depth v t_1: a from a*h*atanh(a/b)/b = d. Handbook: ellipsoid.vis.retract_sls.
+    Valid for a < b; small slopes, a ramp up to t_m, a depth that is held up to t_h and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
+    earlier_time_standard_solid; up to t_m it is t, and the force that of the ramp. Here a is the contact
+    radius of the elastic contact at the depth v t_1: a from a*h*atanh(a/b)/b = d. Handbook:
+    ellipsoid.vis.retract_sls.
 
     References
     ----------
@@ -1083,13 +1175,16 @@ def retract_force_standard_solid(
     --------
     >>> from axicontact.viscoelastic import ellipsoid
     >>> value = ellipsoid.retract_force_standard_solid(
-    ...     1.0, h=0.9, b=1.5, v=0.2, v_2=0.05, t_m=0.9, E_inf=0.4, E_1=0.6, tau=2.0
+    ...     1.0, h=0.9, b=1.5, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E_inf=0.4, E_1=0.6, tau=2.0
     ... )
     >>> round(value, 6)
-    0.132413
+    0.1086
     """
-    require(h=h, b=b, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, relaxation=tau)
-    return elementwise(_retract_force_standard_solid, t, h=h, b=b, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(h=h, b=b, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, relaxation=tau)
+    return elementwise(
+        _retract_force_standard_solid, t, h=h, b=b, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, tau=tau
+    )
 
 
 def retract_radius_standard_solid(
@@ -1100,11 +1195,12 @@ def retract_radius_standard_solid(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E_inf: ArrayLike,
     E_1: ArrayLike,
     tau: ArrayLike,
 ) -> Result:
-    """Contact radius at time t on a standard solid, pressed in at v until t_m, then back at v_2.
+    """Contact radius at time t on a standard solid, pressed in at v until t_m, from t_h on back at v_2.
 
     a from a*h*atanh(a/b)/b = t_1*v
 
@@ -1119,9 +1215,11 @@ def retract_radius_standard_solid(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -1141,9 +1239,10 @@ def retract_radius_standard_solid(
 
     Notes
     -----
-    Valid for a < b; small slopes, a ramp up to t_m and then a constant speed back, so that the contact has
-    one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_standard_solid; up
-    to t_m it is t, and the force that of the ramp. Handbook: ellipsoid.vis.radius_sls.
+    Valid for a < b; small slopes, a ramp up to t_m, a depth that is held up to t_h and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
+    earlier_time_standard_solid; up to t_m it is t, and the force that of the ramp. Handbook:
+    ellipsoid.vis.radius_sls.
 
     References
     ----------
@@ -1153,14 +1252,15 @@ def retract_radius_standard_solid(
     --------
     >>> from axicontact.viscoelastic import ellipsoid
     >>> value = ellipsoid.retract_radius_standard_solid(
-    ...     1.0, h=0.9, b=1.5, v=0.2, v_2=0.05, t_m=0.9, E_inf=0.4, E_1=0.6, tau=2.0
+    ...     1.0, h=0.9, b=1.5, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E_inf=0.4, E_1=0.6, tau=2.0
     ... )
     >>> round(value, 6)
-    0.639784
+    0.604135
     """
-    require(h=h, b=b, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, relaxation=tau)
+    t_h = require_hold(t_m, t_h)
+    require(h=h, b=b, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, relaxation=tau)
     return elementwise(
-        _retract_radius_standard_solid, t, h=h, b=b, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, tau=tau
+        _retract_radius_standard_solid, t, h=h, b=b, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, tau=tau
     )
 
 
@@ -1331,11 +1431,19 @@ def ramp_force_power_creep(
 
 
 def earlier_time_power_creep(
-    t: ArrayLike, *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, alpha: ArrayLike, t_0: ArrayLike
+    t: ArrayLike,
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    alpha: ArrayLike,
+    t_0: ArrayLike,
 ) -> Result:
     """Time before t at which the contact was as large on a material of power-law creep; zero after its end.
 
-    t_1 = t - (1 + v_2/v)**(1/(1 - alpha))*(-t_m + t)
+    t_1 = t - (1 + v_2*((-t_m + t)/(-t_h + t))**(alpha - 1)/v)**(1/(1 - alpha))*(-t_m + t)
 
     Parameters
     ----------
@@ -1344,9 +1452,11 @@ def earlier_time_power_creep(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1366,8 +1476,9 @@ def earlier_time_power_creep(
 
     Notes
     -----
-    Valid for a < b; small slopes, a ramp up to t_m and then a constant speed back, so that the contact has
-    one maximum, and no adhesion. Negative or NaN times give NaN. Handbook: ellipsoid.vis.earlier_pc.
+    Valid for a < b; small slopes, a ramp up to t_m, a depth that is held up to t_h and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to t_m it
+    is t, and t_m while the depth is held. Handbook: ellipsoid.vis.earlier_pc.
 
     References
     ----------
@@ -1376,29 +1487,43 @@ def earlier_time_power_creep(
     Examples
     --------
     >>> from axicontact.viscoelastic import ellipsoid
-    >>> value = ellipsoid.earlier_time_power_creep(1.0, v=0.2, v_2=0.05, t_m=0.9, E=1.0, alpha=0.25, t_0=1.0)
+    >>> value = ellipsoid.earlier_time_power_creep(
+    ...     1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, alpha=0.25, t_0=1.0
+    ... )
     >>> round(value, 6)
-    0.865348
+    0.759408
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
-    return elementwise(_earlier_time_power_creep, t, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
+    return elementwise(_earlier_time_power_creep, t, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
 
 
 def contact_time_power_creep(
-    *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, alpha: ArrayLike, t_0: ArrayLike
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    alpha: ArrayLike,
+    t_0: ArrayLike,
 ) -> Result:
     """Time at which the contact with a material of power-law creep ends on the way back.
 
-    t_c = t_m + t_m/((1 + v_2/v)**(1/(1 - alpha)) - 1)
+    t_c from E*t_0**alpha*t_c**(1 - alpha)/((1 - alpha)*gamma(1 - alpha)*gamma(alpha + 1)) = E*t_0**alpha*(t_c
+    - t_m)**(1 - alpha)/((1 - alpha)*gamma(1 - alpha)*gamma(alpha + 1)) + E*t_0**alpha*v_2*(t_c - t_h)**(1 -
+    alpha)/(v*(1 - alpha)*gamma(1 - alpha)*gamma(alpha + 1))
 
     Parameters
     ----------
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1418,8 +1543,8 @@ def contact_time_power_creep(
 
     Notes
     -----
-    Valid for a < b; small slopes, a ramp up to t_m and then a constant speed back, so that the contact has
-    one maximum, and no adhesion. Handbook: ellipsoid.vis.end_pc.
+    Valid for a < b; small slopes, a ramp up to t_m, a depth that is held up to t_h and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Handbook: ellipsoid.vis.end_pc.
 
     References
     ----------
@@ -1428,12 +1553,13 @@ def contact_time_power_creep(
     Examples
     --------
     >>> from axicontact.viscoelastic import ellipsoid
-    >>> value = ellipsoid.contact_time_power_creep(v=0.2, v_2=0.05, t_m=0.9, E=1.0, alpha=0.25, t_0=1.0)
+    >>> value = ellipsoid.contact_time_power_creep(v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, alpha=0.25, t_0=1.0)
     >>> round(value, 6)
-    3.49724
+    3.186706
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
-    return elementwise(_contact_time_power_creep, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
+    return elementwise(_contact_time_power_creep, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
 
 
 def retract_force_power_creep(
@@ -1444,11 +1570,12 @@ def retract_force_power_creep(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E: ArrayLike,
     alpha: ArrayLike,
     t_0: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a material of power-law creep, pressed in at v until t_m, then back at v_2.
+    """Normal force at time t on a material of power-law creep, pressed in at v until t_m, from t_h on back at v_2.
 
     F = 2*v*Integral(-E*t_0**alpha*(-t_1 + t)**(1 - alpha)/((1 - alpha)*gamma(1 - alpha)*gamma(alpha + 1))
     + E*t_0**alpha*(t - h*x*atanh(x/b)/(b*v))**(1 - alpha)/((1 - alpha)*gamma(1 - alpha)*gamma(alpha + 1)),
@@ -1465,9 +1592,11 @@ def retract_force_power_creep(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1487,10 +1616,11 @@ def retract_force_power_creep(
 
     Notes
     -----
-    Valid for a < b; small slopes, a ramp up to t_m and then a constant speed back, so that the contact has
-    one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_power_creep; up to
-    t_m it is t, and the force that of the ramp. Here a is the contact radius of the elastic contact at the
-    depth v t_1: a from a*h*atanh(a/b)/b = d. Handbook: ellipsoid.vis.retract_pc.
+    Valid for a < b; small slopes, a ramp up to t_m, a depth that is held up to t_h and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
+    earlier_time_power_creep; up to t_m it is t, and the force that of the ramp. Here a is the contact radius
+    of the elastic contact at the depth v t_1: a from a*h*atanh(a/b)/b = d. Handbook:
+    ellipsoid.vis.retract_pc.
 
     References
     ----------
@@ -1500,13 +1630,16 @@ def retract_force_power_creep(
     --------
     >>> from axicontact.viscoelastic import ellipsoid
     >>> value = ellipsoid.retract_force_power_creep(
-    ...     1.0, h=0.9, b=1.5, v=0.2, v_2=0.05, t_m=0.9, E=1.0, alpha=0.25, t_0=1.0
+    ...     1.0, h=0.9, b=1.5, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, alpha=0.25, t_0=1.0
     ... )
     >>> round(value, 6)
-    0.167362
+    0.131359
     """
-    require(h=h, b=b, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
-    return elementwise(_retract_force_power_creep, t, h=h, b=b, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
+    t_h = require_hold(t_m, t_h)
+    require(h=h, b=b, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
+    return elementwise(
+        _retract_force_power_creep, t, h=h, b=b, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0
+    )
 
 
 def retract_radius_power_creep(
@@ -1517,11 +1650,12 @@ def retract_radius_power_creep(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E: ArrayLike,
     alpha: ArrayLike,
     t_0: ArrayLike,
 ) -> Result:
-    """Contact radius at time t on a material of power-law creep, pressed in at v until t_m, then back at v_2.
+    """Contact radius at time t on a material of power-law creep, pressed in at v until t_m, from t_h on back at v_2.
 
     a from a*h*atanh(a/b)/b = t_1*v
 
@@ -1536,9 +1670,11 @@ def retract_radius_power_creep(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1558,9 +1694,10 @@ def retract_radius_power_creep(
 
     Notes
     -----
-    Valid for a < b; small slopes, a ramp up to t_m and then a constant speed back, so that the contact has
-    one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_power_creep; up to
-    t_m it is t, and the force that of the ramp. Handbook: ellipsoid.vis.radius_pc.
+    Valid for a < b; small slopes, a ramp up to t_m, a depth that is held up to t_h and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
+    earlier_time_power_creep; up to t_m it is t, and the force that of the ramp. Handbook:
+    ellipsoid.vis.radius_pc.
 
     References
     ----------
@@ -1570,13 +1707,16 @@ def retract_radius_power_creep(
     --------
     >>> from axicontact.viscoelastic import ellipsoid
     >>> value = ellipsoid.retract_radius_power_creep(
-    ...     1.0, h=0.9, b=1.5, v=0.2, v_2=0.05, t_m=0.9, E=1.0, alpha=0.25, t_0=1.0
+    ...     1.0, h=0.9, b=1.5, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, alpha=0.25, t_0=1.0
     ... )
     >>> round(value, 6)
-    0.636641
+    0.598828
     """
-    require(h=h, b=b, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
-    return elementwise(_retract_radius_power_creep, t, h=h, b=b, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
+    t_h = require_hold(t_m, t_h)
+    require(h=h, b=b, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
+    return elementwise(
+        _retract_radius_power_creep, t, h=h, b=b, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0
+    )
 
 
 def step_force_power_creep(
@@ -1710,28 +1850,28 @@ def _step_load_radius_maxwell(t: Array, F: Array, h: Array, b: Array, E: Array, 
     return normal._radius_from_force(F * creep_maxwell(t, E, tau), h, b, 1.0)
 
 
-def _earlier_time_maxwell(t: Array, v: Array, v_2: Array, t_m: Array, E: Array, tau: Array) -> Array:
-    return earlier(t, t_m, lag_maxwell(t, t_m, v_2 / v, E, tau))
+def _earlier_time_maxwell(t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, tau: Array) -> Array:
+    return earlier(t, t_m, lag_maxwell(t, t_m, t_h, v_2 / v, E, tau))
 
 
 def _retract_radius_maxwell(
-    t: Array, v: Array, v_2: Array, t_m: Array, h: Array, b: Array, E: Array, tau: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, h: Array, b: Array, E: Array, tau: Array
 ) -> Array:
-    t_1 = earlier(t, t_m, lag_maxwell(t, t_m, v_2 / v, E, tau))
+    t_1 = earlier(t, t_m, lag_maxwell(t, t_m, t_h, v_2 / v, E, tau))
     return np.where(t_1 <= 0.0, 0.0, normal._radius_from_depth(v * t_1, h, b))
 
 
 def _retract_force_maxwell(
-    t: Array, v: Array, v_2: Array, t_m: Array, h: Array, b: Array, E: Array, tau: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, h: Array, b: Array, E: Array, tau: Array
 ) -> Array:
-    lag = lag_maxwell(t, t_m, v_2 / v, E, tau)
+    lag = lag_maxwell(t, t_m, t_h, v_2 / v, E, tau)
     t_1 = earlier(t, t_m, lag)
     since = np.where(t > t_m, passed(t, t_m, lag), 0.0)
     return np.where(t_1 > 0.0, _pressed_maxwell(t_1, since, v, h, b, E, tau), 0.0)
 
 
-def _contact_time_maxwell(v: Array, v_2: Array, t_m: Array, E: Array, tau: Array) -> Array:
-    return end_maxwell(v_2 / v, t_m, E, tau)
+def _contact_time_maxwell(v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, tau: Array) -> Array:
+    return end_maxwell(v_2 / v, t_m, t_h, E, tau)
 
 
 def _ramp_force_kelvin_voigt(t: Array, v: Array, h: Array, b: Array, E: Array, eta: Array) -> Array:
@@ -1746,28 +1886,28 @@ def _step_load_radius_kelvin_voigt(t: Array, F: Array, h: Array, b: Array, E: Ar
     return normal._radius_from_force(F * creep_kelvin_voigt(t, E, eta), h, b, 1.0)
 
 
-def _earlier_time_kelvin_voigt(t: Array, v: Array, v_2: Array, t_m: Array, E: Array, eta: Array) -> Array:
-    return earlier(t, t_m, lag_kelvin_voigt(t, t_m, v_2 / v, E, eta))
+def _earlier_time_kelvin_voigt(t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, eta: Array) -> Array:
+    return earlier(t, t_m, lag_kelvin_voigt(t, t_m, t_h, v_2 / v, E, eta))
 
 
 def _retract_radius_kelvin_voigt(
-    t: Array, v: Array, v_2: Array, t_m: Array, h: Array, b: Array, E: Array, eta: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, h: Array, b: Array, E: Array, eta: Array
 ) -> Array:
-    t_1 = earlier(t, t_m, lag_kelvin_voigt(t, t_m, v_2 / v, E, eta))
+    t_1 = earlier(t, t_m, lag_kelvin_voigt(t, t_m, t_h, v_2 / v, E, eta))
     return np.where(t_1 <= 0.0, 0.0, normal._radius_from_depth(v * t_1, h, b))
 
 
 def _retract_force_kelvin_voigt(
-    t: Array, v: Array, v_2: Array, t_m: Array, h: Array, b: Array, E: Array, eta: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, h: Array, b: Array, E: Array, eta: Array
 ) -> Array:
-    lag = lag_kelvin_voigt(t, t_m, v_2 / v, E, eta)
+    lag = lag_kelvin_voigt(t, t_m, t_h, v_2 / v, E, eta)
     t_1 = earlier(t, t_m, lag)
     back = normal._force_from_depth(v * t_1, h, b, 1.0) * E
     return np.where(t > t_m, np.where(t_1 > 0.0, back, 0.0), _ramp_force_kelvin_voigt(t, v, h, b, E, eta))
 
 
-def _contact_time_kelvin_voigt(v: Array, v_2: Array, t_m: Array, E: Array, eta: Array) -> Array:
-    return end_kelvin_voigt(v_2 / v, t_m, E, eta)
+def _contact_time_kelvin_voigt(v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, eta: Array) -> Array:
+    return end_kelvin_voigt(v_2 / v, t_m, t_h, E, eta)
 
 
 def _pressed_standard_solid(
@@ -1797,29 +1937,31 @@ def _step_load_radius_standard_solid(
 
 
 def _earlier_time_standard_solid(
-    t: Array, v: Array, v_2: Array, t_m: Array, E_inf: Array, E_1: Array, tau: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, E_inf: Array, E_1: Array, tau: Array
 ) -> Array:
-    return earlier(t, t_m, lag_standard_solid(t, t_m, v_2 / v, E_inf, E_1, tau))
+    return earlier(t, t_m, lag_standard_solid(t, t_m, t_h, v_2 / v, E_inf, E_1, tau))
 
 
 def _retract_radius_standard_solid(
-    t: Array, v: Array, v_2: Array, t_m: Array, h: Array, b: Array, E_inf: Array, E_1: Array, tau: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, h: Array, b: Array, E_inf: Array, E_1: Array, tau: Array
 ) -> Array:
-    t_1 = earlier(t, t_m, lag_standard_solid(t, t_m, v_2 / v, E_inf, E_1, tau))
+    t_1 = earlier(t, t_m, lag_standard_solid(t, t_m, t_h, v_2 / v, E_inf, E_1, tau))
     return np.where(t_1 <= 0.0, 0.0, normal._radius_from_depth(v * t_1, h, b))
 
 
 def _retract_force_standard_solid(
-    t: Array, v: Array, v_2: Array, t_m: Array, h: Array, b: Array, E_inf: Array, E_1: Array, tau: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, h: Array, b: Array, E_inf: Array, E_1: Array, tau: Array
 ) -> Array:
-    lag = lag_standard_solid(t, t_m, v_2 / v, E_inf, E_1, tau)
+    lag = lag_standard_solid(t, t_m, t_h, v_2 / v, E_inf, E_1, tau)
     t_1 = earlier(t, t_m, lag)
     since = np.where(t > t_m, passed(t, t_m, lag), 0.0)
     return np.where(t_1 > 0.0, _pressed_standard_solid(t_1, since, v, h, b, E_inf, E_1, tau), 0.0)
 
 
-def _contact_time_standard_solid(v: Array, v_2: Array, t_m: Array, E_inf: Array, E_1: Array, tau: Array) -> Array:
-    return end_standard_solid(v_2 / v, t_m, E_inf, E_1, tau)
+def _contact_time_standard_solid(
+    v: Array, v_2: Array, t_m: Array, t_h: Array, E_inf: Array, E_1: Array, tau: Array
+) -> Array:
+    return end_standard_solid(v_2 / v, t_m, t_h, E_inf, E_1, tau)
 
 
 def _pressed_power_creep(
@@ -1846,25 +1988,29 @@ def _step_load_radius_power_creep(t: Array, F: Array, h: Array, b: Array, E: Arr
     return normal._radius_from_force(F * creep_power_creep(t, E, alpha, t_0), h, b, 1.0)
 
 
-def _earlier_time_power_creep(t: Array, v: Array, v_2: Array, t_m: Array, E: Array, alpha: Array, t_0: Array) -> Array:
-    return earlier(t, t_m, lag_power_creep(t, t_m, v_2 / v, E, alpha, t_0))
+def _earlier_time_power_creep(
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, alpha: Array, t_0: Array
+) -> Array:
+    return earlier(t, t_m, lag_power_creep(t, t_m, t_h, v_2 / v, E, alpha, t_0))
 
 
 def _retract_radius_power_creep(
-    t: Array, v: Array, v_2: Array, t_m: Array, h: Array, b: Array, E: Array, alpha: Array, t_0: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, h: Array, b: Array, E: Array, alpha: Array, t_0: Array
 ) -> Array:
-    t_1 = earlier(t, t_m, lag_power_creep(t, t_m, v_2 / v, E, alpha, t_0))
+    t_1 = earlier(t, t_m, lag_power_creep(t, t_m, t_h, v_2 / v, E, alpha, t_0))
     return np.where(t_1 <= 0.0, 0.0, normal._radius_from_depth(v * t_1, h, b))
 
 
 def _retract_force_power_creep(
-    t: Array, v: Array, v_2: Array, t_m: Array, h: Array, b: Array, E: Array, alpha: Array, t_0: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, h: Array, b: Array, E: Array, alpha: Array, t_0: Array
 ) -> Array:
-    lag = lag_power_creep(t, t_m, v_2 / v, E, alpha, t_0)
+    lag = lag_power_creep(t, t_m, t_h, v_2 / v, E, alpha, t_0)
     t_1 = earlier(t, t_m, lag)
     since = np.where(t > t_m, passed(t, t_m, lag), 0.0)
     return np.where(t_1 > 0.0, _pressed_power_creep(t_1, since, v, h, b, E, alpha, t_0), 0.0)
 
 
-def _contact_time_power_creep(v: Array, v_2: Array, t_m: Array, E: Array, alpha: Array, t_0: Array) -> Array:
-    return end_power_creep(v_2 / v, t_m, E, alpha, t_0)
+def _contact_time_power_creep(
+    v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, alpha: Array, t_0: Array
+) -> Array:
+    return end_power_creep(v_2 / v, t_m, t_h, E, alpha, t_0)

@@ -35,6 +35,7 @@ from .._runtime.physics.retraction import (
     lag_power_creep,
     lag_standard_solid,
     passed,
+    require_hold,
 )
 from ..normal import flat_punch as normal
 
@@ -119,11 +120,18 @@ def ramp_force_maxwell(t: ArrayLike, *, a: ArrayLike, v: ArrayLike, E: ArrayLike
 
 
 def earlier_time_maxwell(
-    t: ArrayLike, *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, tau: ArrayLike
+    t: ArrayLike,
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    tau: ArrayLike,
 ) -> Result:
     """Time before t at which the contact was as large on a Maxwell fluid; zero after its end.
 
-    t_1 = tau*log(1 - v_2*(exp((-t_m + t)/tau) - 1)/v) + t_m
+    t_1 = tau*log(1 - v_2*(-exp((t_h - t_m)/tau) + exp((-t_m + t)/tau))/v) + t_m
 
     Parameters
     ----------
@@ -132,9 +140,11 @@ def earlier_time_maxwell(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -152,8 +162,9 @@ def earlier_time_maxwell(
 
     Notes
     -----
-    Valid for sharp edge, frictionless, a ramp up to t_m and then a constant speed back, so that the contact
-    has one maximum, and no adhesion. Negative or NaN times give NaN. Handbook: flat_punch.vis.earlier_mx.
+    Valid for sharp edge, frictionless, a ramp up to t_m, a depth that is held up to t_h and then a constant
+    speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to
+    t_m it is t, and t_m while the depth is held. Handbook: flat_punch.vis.earlier_mx.
 
     References
     ----------
@@ -162,27 +173,32 @@ def earlier_time_maxwell(
     Examples
     --------
     >>> from axicontact.viscoelastic import flat_punch
-    >>> value = flat_punch.earlier_time_maxwell(1.0, v=0.2, v_2=0.05, t_m=0.9, E=1.0, tau=2.0)
+    >>> value = flat_punch.earlier_time_maxwell(1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, tau=2.0)
     >>> round(value, 6)
-    0.874199
+    0.772867
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, relaxation=tau)
-    return elementwise(_earlier_time_maxwell, t, v=v, v_2=v_2, t_m=t_m, E=E, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, relaxation=tau)
+    return elementwise(_earlier_time_maxwell, t, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, tau=tau)
 
 
-def contact_time_maxwell(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, tau: ArrayLike) -> Result:
+def contact_time_maxwell(
+    *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, t_h: ArrayLike | None = None, E: ArrayLike, tau: ArrayLike
+) -> Result:
     """Time at which the contact with a Maxwell fluid ends on the way back.
 
-    t_c = tau*log(v*(1 - exp(-t_m/tau))/v_2 + 1) + t_m
+    t_c = tau*log(v*(exp(t_m/tau) - 1)*exp(-t_h/tau)/v_2 + 1) + t_h
 
     Parameters
     ----------
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -200,8 +216,8 @@ def contact_time_maxwell(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: Arr
 
     Notes
     -----
-    Valid for sharp edge, frictionless, a ramp up to t_m and then a constant speed back, so that the contact
-    has one maximum, and no adhesion. Handbook: flat_punch.vis.end_mx.
+    Valid for sharp edge, frictionless, a ramp up to t_m, a depth that is held up to t_h and then a constant
+    speed back, so that the contact has one maximum, and no adhesion. Handbook: flat_punch.vis.end_mx.
 
     References
     ----------
@@ -210,18 +226,27 @@ def contact_time_maxwell(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: Arr
     Examples
     --------
     >>> from axicontact.viscoelastic import flat_punch
-    >>> value = flat_punch.contact_time_maxwell(v=0.2, v_2=0.05, t_m=0.9, E=1.0, tau=2.0)
+    >>> value = flat_punch.contact_time_maxwell(v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, tau=2.0)
     >>> round(value, 6)
-    2.691758
+    2.525772
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, relaxation=tau)
-    return elementwise(_contact_time_maxwell, v=v, v_2=v_2, t_m=t_m, E=E, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, relaxation=tau)
+    return elementwise(_contact_time_maxwell, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, tau=tau)
 
 
 def retract_force_maxwell(
-    t: ArrayLike, *, a: ArrayLike, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, tau: ArrayLike
+    t: ArrayLike,
+    *,
+    a: ArrayLike,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    tau: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a Maxwell fluid, pressed in at v until t_m, then back at v_2.
+    """Normal force at time t on a Maxwell fluid, pressed in at v until t_m, from t_h on back at v_2.
 
     F = 2*E*a*t_1*v*exp((t_1 - t)/tau)*1F1(1, 2, -t_1/tau)
     with 1F1: Confluent 1F1(p; c; z)
@@ -235,9 +260,11 @@ def retract_force_maxwell(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -255,9 +282,10 @@ def retract_force_maxwell(
 
     Notes
     -----
-    Valid for sharp edge, frictionless, a ramp up to t_m and then a constant speed back, so that the contact
-    has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_maxwell; up to
-    t_m it is t, and the force that of the ramp. Handbook: flat_punch.vis.retract_mx.
+    Valid for sharp edge, frictionless, a ramp up to t_m, a depth that is held up to t_h and then a constant
+    speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1
+    is earlier_time_maxwell; up to t_m it is t, and the force that of the ramp. Handbook:
+    flat_punch.vis.retract_mx.
 
     References
     ----------
@@ -266,12 +294,13 @@ def retract_force_maxwell(
     Examples
     --------
     >>> from axicontact.viscoelastic import flat_punch
-    >>> value = flat_punch.retract_force_maxwell(1.0, a=1.0, v=0.2, v_2=0.05, t_m=0.9, E=1.0, tau=2.0)
+    >>> value = flat_punch.retract_force_maxwell(1.0, a=1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, tau=2.0)
     >>> round(value, 6)
-    0.266005
+    0.228891
     """
-    require(a=a, v=v, v_2=v_2, t_m=t_m, E=E, relaxation=tau)
-    return elementwise(_retract_force_maxwell, t, a=a, v=v, v_2=v_2, t_m=t_m, E=E, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(a=a, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, relaxation=tau)
+    return elementwise(_retract_force_maxwell, t, a=a, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, tau=tau)
 
 
 def step_force_maxwell(t: ArrayLike, *, d: ArrayLike, a: ArrayLike, E: ArrayLike, tau: ArrayLike) -> Result:
@@ -371,11 +400,18 @@ def ramp_force_kelvin_voigt(t: ArrayLike, *, a: ArrayLike, v: ArrayLike, E: Arra
 
 
 def earlier_time_kelvin_voigt(
-    t: ArrayLike, *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, eta: ArrayLike
+    t: ArrayLike,
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    eta: ArrayLike,
 ) -> Result:
     """Time before t at which the contact was as large on a Kelvin-Voigt solid; zero after its end.
 
-    t_1 = t_m - v_2*(-t_m + t + eta/E)/v
+    t_1 = t_m - v_2*(-t_h + t + eta/E)/v
 
     Parameters
     ----------
@@ -384,9 +420,11 @@ def earlier_time_kelvin_voigt(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -404,8 +442,9 @@ def earlier_time_kelvin_voigt(
 
     Notes
     -----
-    Valid for sharp edge, frictionless, a ramp up to t_m and then a constant speed back, so that the contact
-    has one maximum, and no adhesion. Negative or NaN times give NaN. Handbook: flat_punch.vis.earlier_kv.
+    Valid for sharp edge, frictionless, a ramp up to t_m, a depth that is held up to t_h and then a constant
+    speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to
+    t_m it is t, and t_m while the depth is held. Handbook: flat_punch.vis.earlier_kv.
 
     References
     ----------
@@ -414,27 +453,32 @@ def earlier_time_kelvin_voigt(
     Examples
     --------
     >>> from axicontact.viscoelastic import flat_punch
-    >>> value = flat_punch.earlier_time_kelvin_voigt(1.0, v=0.2, v_2=0.05, t_m=0.9, E=1.0, eta=1.5)
+    >>> value = flat_punch.earlier_time_kelvin_voigt(1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, eta=1.5)
     >>> round(value, 6)
-    0.5
+    0.4
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
-    return elementwise(_earlier_time_kelvin_voigt, t, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
+    return elementwise(_earlier_time_kelvin_voigt, t, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
 
 
-def contact_time_kelvin_voigt(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, eta: ArrayLike) -> Result:
+def contact_time_kelvin_voigt(
+    *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, t_h: ArrayLike | None = None, E: ArrayLike, eta: ArrayLike
+) -> Result:
     """Time at which the contact with a Kelvin-Voigt solid ends on the way back.
 
-    t_c = t_m*v/v_2 + t_m - eta/E
+    t_c = t_h + t_m*v/v_2 - eta/E
 
     Parameters
     ----------
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -452,8 +496,8 @@ def contact_time_kelvin_voigt(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E
 
     Notes
     -----
-    Valid for sharp edge, frictionless, a ramp up to t_m and then a constant speed back, so that the contact
-    has one maximum, and no adhesion. Handbook: flat_punch.vis.end_kv.
+    Valid for sharp edge, frictionless, a ramp up to t_m, a depth that is held up to t_h and then a constant
+    speed back, so that the contact has one maximum, and no adhesion. Handbook: flat_punch.vis.end_kv.
 
     References
     ----------
@@ -462,18 +506,27 @@ def contact_time_kelvin_voigt(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E
     Examples
     --------
     >>> from axicontact.viscoelastic import flat_punch
-    >>> value = flat_punch.contact_time_kelvin_voigt(v=0.2, v_2=0.05, t_m=0.9, E=1.0, eta=1.5)
+    >>> value = flat_punch.contact_time_kelvin_voigt(v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, eta=1.5)
     >>> round(value, 6)
-    3.0
+    2.6
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
-    return elementwise(_contact_time_kelvin_voigt, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
+    return elementwise(_contact_time_kelvin_voigt, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
 
 
 def retract_force_kelvin_voigt(
-    t: ArrayLike, *, a: ArrayLike, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, eta: ArrayLike
+    t: ArrayLike,
+    *,
+    a: ArrayLike,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    eta: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a Kelvin-Voigt solid, pressed in at v until t_m, then back at v_2.
+    """Normal force at time t on a Kelvin-Voigt solid, pressed in at v until t_m, from t_h on back at v_2.
 
     F = 2*E*a*t_1*v
 
@@ -486,9 +539,11 @@ def retract_force_kelvin_voigt(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -506,9 +561,10 @@ def retract_force_kelvin_voigt(
 
     Notes
     -----
-    Valid for sharp edge, frictionless, a ramp up to t_m and then a constant speed back, so that the contact
-    has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_kelvin_voigt;
-    up to t_m it is t, and the force that of the ramp. Handbook: flat_punch.vis.retract_kv.
+    Valid for sharp edge, frictionless, a ramp up to t_m, a depth that is held up to t_h and then a constant
+    speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1
+    is earlier_time_kelvin_voigt; up to t_m it is t, and the force that of the ramp. Handbook:
+    flat_punch.vis.retract_kv.
 
     References
     ----------
@@ -517,12 +573,13 @@ def retract_force_kelvin_voigt(
     Examples
     --------
     >>> from axicontact.viscoelastic import flat_punch
-    >>> value = flat_punch.retract_force_kelvin_voigt(1.0, a=1.0, v=0.2, v_2=0.05, t_m=0.9, E=1.0, eta=1.5)
+    >>> value = flat_punch.retract_force_kelvin_voigt(1.0, a=1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, eta=1.5)
     >>> round(value, 6)
-    0.2
+    0.16
     """
-    require(a=a, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
-    return elementwise(_retract_force_kelvin_voigt, t, a=a, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
+    t_h = require_hold(t_m, t_h)
+    require(a=a, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
+    return elementwise(_retract_force_kelvin_voigt, t, a=a, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
 
 
 def step_force_kelvin_voigt(t: ArrayLike, *, d: ArrayLike, a: ArrayLike, E: ArrayLike, eta: ArrayLike) -> Result:
@@ -627,12 +684,21 @@ def ramp_force_standard_solid(
 
 
 def earlier_time_standard_solid(
-    t: ArrayLike, *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E_inf: ArrayLike, E_1: ArrayLike, tau: ArrayLike
+    t: ArrayLike,
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E_inf: ArrayLike,
+    E_1: ArrayLike,
+    tau: ArrayLike,
 ) -> Result:
     """Time before t at which the contact was as large on a standard solid; zero after its end.
 
-    t_1 from E_1*tau*(1 - exp(-(-t_1 + t)/tau)) + E_inf*(-t_1 + t) = (1 +
-    v_2/v)*(E_1*tau*(1 - exp(-(-t_m + t)/tau)) + E_inf*(-t_m + t))
+    t_1 from E_1*tau*(1 - exp(-(-t_1 + t)/tau)) + E_inf*(-t_1 + t) = E_1*tau*(1 -
+    exp(-(-t_m + t)/tau)) + E_inf*(-t_m + t) + v_2*(E_1*tau*(1 - exp(-(-t_h +
+    t)/tau)) + E_inf*(-t_h + t))/v
 
     Parameters
     ----------
@@ -641,9 +707,11 @@ def earlier_time_standard_solid(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -663,8 +731,9 @@ def earlier_time_standard_solid(
 
     Notes
     -----
-    Valid for sharp edge, frictionless, a ramp up to t_m and then a constant speed back, so that the contact
-    has one maximum, and no adhesion. Negative or NaN times give NaN. Handbook: flat_punch.vis.earlier_sls.
+    Valid for sharp edge, frictionless, a ramp up to t_m, a depth that is held up to t_h and then a constant
+    speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to
+    t_m it is t, and t_m while the depth is held. Handbook: flat_punch.vis.earlier_sls.
 
     References
     ----------
@@ -673,30 +742,43 @@ def earlier_time_standard_solid(
     Examples
     --------
     >>> from axicontact.viscoelastic import flat_punch
-    >>> value = flat_punch.earlier_time_standard_solid(1.0, v=0.2, v_2=0.05, t_m=0.9, E_inf=0.4, E_1=0.6, tau=2.0)
+    >>> value = flat_punch.earlier_time_standard_solid(
+    ...     1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E_inf=0.4, E_1=0.6, tau=2.0
+    ... )
     >>> round(value, 6)
-    0.874531
+    0.773779
     """
-    require(v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, relaxation=tau)
-    return elementwise(_earlier_time_standard_solid, t, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, relaxation=tau)
+    return elementwise(_earlier_time_standard_solid, t, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, tau=tau)
 
 
 def contact_time_standard_solid(
-    *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E_inf: ArrayLike, E_1: ArrayLike, tau: ArrayLike
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E_inf: ArrayLike,
+    E_1: ArrayLike,
+    tau: ArrayLike,
 ) -> Result:
     """Time at which the contact with a standard solid ends on the way back.
 
-    t_c from E_1*tau*(1 - exp(-t_c/tau)) + E_inf*t_c = (1 + v_2/v)*(E_1*tau*(1 -
-    exp(-(t_c - t_m)/tau)) + E_inf*(t_c - t_m))
+    t_c from E_1*tau*(1 - exp(-t_c/tau)) + E_inf*t_c = E_1*tau*(1 - exp(-(t_c -
+    t_m)/tau)) + E_inf*(t_c - t_m) + v_2*(E_1*tau*(1 - exp(-(t_c - t_h)/tau)) +
+    E_inf*(t_c - t_h))/v
 
     Parameters
     ----------
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -716,8 +798,8 @@ def contact_time_standard_solid(
 
     Notes
     -----
-    Valid for sharp edge, frictionless, a ramp up to t_m and then a constant speed back, so that the contact
-    has one maximum, and no adhesion. Handbook: flat_punch.vis.end_sls.
+    Valid for sharp edge, frictionless, a ramp up to t_m, a depth that is held up to t_h and then a constant
+    speed back, so that the contact has one maximum, and no adhesion. Handbook: flat_punch.vis.end_sls.
 
     References
     ----------
@@ -726,12 +808,15 @@ def contact_time_standard_solid(
     Examples
     --------
     >>> from axicontact.viscoelastic import flat_punch
-    >>> value = flat_punch.contact_time_standard_solid(v=0.2, v_2=0.05, t_m=0.9, E_inf=0.4, E_1=0.6, tau=2.0)
+    >>> value = flat_punch.contact_time_standard_solid(
+    ...     v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E_inf=0.4, E_1=0.6, tau=2.0
+    ... )
     >>> round(value, 6)
-    3.501344
+    3.220085
     """
-    require(v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, relaxation=tau)
-    return elementwise(_contact_time_standard_solid, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, relaxation=tau)
+    return elementwise(_contact_time_standard_solid, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, tau=tau)
 
 
 def retract_force_standard_solid(
@@ -741,11 +826,12 @@ def retract_force_standard_solid(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E_inf: ArrayLike,
     E_1: ArrayLike,
     tau: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a standard solid, pressed in at v until t_m, then back at v_2.
+    """Normal force at time t on a standard solid, pressed in at v until t_m, from t_h on back at v_2.
 
     F = 2*a*t_1*v*(E_1*exp((t_1 - t)/tau)*1F1(1, 2, -t_1/tau) + E_inf)
     with 1F1: Confluent 1F1(p; c; z)
@@ -759,9 +845,11 @@ def retract_force_standard_solid(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -781,9 +869,10 @@ def retract_force_standard_solid(
 
     Notes
     -----
-    Valid for sharp edge, frictionless, a ramp up to t_m and then a constant speed back, so that the contact
-    has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_standard_solid;
-    up to t_m it is t, and the force that of the ramp. Handbook: flat_punch.vis.retract_sls.
+    Valid for sharp edge, frictionless, a ramp up to t_m, a depth that is held up to t_h and then a constant
+    speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1
+    is earlier_time_standard_solid; up to t_m it is t, and the force that of the ramp. Handbook:
+    flat_punch.vis.retract_sls.
 
     References
     ----------
@@ -793,13 +882,16 @@ def retract_force_standard_solid(
     --------
     >>> from axicontact.viscoelastic import flat_punch
     >>> value = flat_punch.retract_force_standard_solid(
-    ...     1.0, a=1.0, v=0.2, v_2=0.05, t_m=0.9, E_inf=0.4, E_1=0.6, tau=2.0
+    ...     1.0, a=1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E_inf=0.4, E_1=0.6, tau=2.0
     ... )
     >>> round(value, 6)
-    0.299603
+    0.261335
     """
-    require(a=a, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, relaxation=tau)
-    return elementwise(_retract_force_standard_solid, t, a=a, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(a=a, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, relaxation=tau)
+    return elementwise(
+        _retract_force_standard_solid, t, a=a, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, tau=tau
+    )
 
 
 def step_force_standard_solid(
@@ -907,11 +999,19 @@ def ramp_force_power_creep(
 
 
 def earlier_time_power_creep(
-    t: ArrayLike, *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, alpha: ArrayLike, t_0: ArrayLike
+    t: ArrayLike,
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    alpha: ArrayLike,
+    t_0: ArrayLike,
 ) -> Result:
     """Time before t at which the contact was as large on a material of power-law creep; zero after its end.
 
-    t_1 = t - (1 + v_2/v)**(1/(1 - alpha))*(-t_m + t)
+    t_1 = t - (1 + v_2*((-t_m + t)/(-t_h + t))**(alpha - 1)/v)**(1/(1 - alpha))*(-t_m + t)
 
     Parameters
     ----------
@@ -920,9 +1020,11 @@ def earlier_time_power_creep(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -942,8 +1044,9 @@ def earlier_time_power_creep(
 
     Notes
     -----
-    Valid for sharp edge, frictionless, a ramp up to t_m and then a constant speed back, so that the contact
-    has one maximum, and no adhesion. Negative or NaN times give NaN. Handbook: flat_punch.vis.earlier_pc.
+    Valid for sharp edge, frictionless, a ramp up to t_m, a depth that is held up to t_h and then a constant
+    speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to
+    t_m it is t, and t_m while the depth is held. Handbook: flat_punch.vis.earlier_pc.
 
     References
     ----------
@@ -952,29 +1055,43 @@ def earlier_time_power_creep(
     Examples
     --------
     >>> from axicontact.viscoelastic import flat_punch
-    >>> value = flat_punch.earlier_time_power_creep(1.0, v=0.2, v_2=0.05, t_m=0.9, E=1.0, alpha=0.25, t_0=1.0)
+    >>> value = flat_punch.earlier_time_power_creep(
+    ...     1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, alpha=0.25, t_0=1.0
+    ... )
     >>> round(value, 6)
-    0.865348
+    0.759408
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
-    return elementwise(_earlier_time_power_creep, t, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
+    return elementwise(_earlier_time_power_creep, t, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
 
 
 def contact_time_power_creep(
-    *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, alpha: ArrayLike, t_0: ArrayLike
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    alpha: ArrayLike,
+    t_0: ArrayLike,
 ) -> Result:
     """Time at which the contact with a material of power-law creep ends on the way back.
 
-    t_c = t_m + t_m/((1 + v_2/v)**(1/(1 - alpha)) - 1)
+    t_c from E*t_0**alpha*t_c**(1 - alpha)/((1 - alpha)*gamma(1 - alpha)*gamma(alpha + 1)) = E*t_0**alpha*(t_c
+    - t_m)**(1 - alpha)/((1 - alpha)*gamma(1 - alpha)*gamma(alpha + 1)) + E*t_0**alpha*v_2*(t_c - t_h)**(1 -
+    alpha)/(v*(1 - alpha)*gamma(1 - alpha)*gamma(alpha + 1))
 
     Parameters
     ----------
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -994,8 +1111,8 @@ def contact_time_power_creep(
 
     Notes
     -----
-    Valid for sharp edge, frictionless, a ramp up to t_m and then a constant speed back, so that the contact
-    has one maximum, and no adhesion. Handbook: flat_punch.vis.end_pc.
+    Valid for sharp edge, frictionless, a ramp up to t_m, a depth that is held up to t_h and then a constant
+    speed back, so that the contact has one maximum, and no adhesion. Handbook: flat_punch.vis.end_pc.
 
     References
     ----------
@@ -1004,12 +1121,13 @@ def contact_time_power_creep(
     Examples
     --------
     >>> from axicontact.viscoelastic import flat_punch
-    >>> value = flat_punch.contact_time_power_creep(v=0.2, v_2=0.05, t_m=0.9, E=1.0, alpha=0.25, t_0=1.0)
+    >>> value = flat_punch.contact_time_power_creep(v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, alpha=0.25, t_0=1.0)
     >>> round(value, 6)
-    3.49724
+    3.186706
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
-    return elementwise(_contact_time_power_creep, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
+    return elementwise(_contact_time_power_creep, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
 
 
 def retract_force_power_creep(
@@ -1019,11 +1137,12 @@ def retract_force_power_creep(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E: ArrayLike,
     alpha: ArrayLike,
     t_0: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a material of power-law creep, pressed in at v until t_m, then back at v_2.
+    """Normal force at time t on a material of power-law creep, pressed in at v until t_m, from t_h on back at v_2.
 
     F = 2*E*a*t_0**alpha*t**(1 - alpha)*v*IncompleteBeta(t_1/t, 1, 1 - alpha)/(gamma(1 -
     alpha)*gamma(alpha + 1))
@@ -1039,9 +1158,11 @@ def retract_force_power_creep(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1061,9 +1182,10 @@ def retract_force_power_creep(
 
     Notes
     -----
-    Valid for sharp edge, frictionless, a ramp up to t_m and then a constant speed back, so that the contact
-    has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_power_creep; up
-    to t_m it is t, and the force that of the ramp. Handbook: flat_punch.vis.retract_pc.
+    Valid for sharp edge, frictionless, a ramp up to t_m, a depth that is held up to t_h and then a constant
+    speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1
+    is earlier_time_power_creep; up to t_m it is t, and the force that of the ramp. Handbook:
+    flat_punch.vis.retract_pc.
 
     References
     ----------
@@ -1073,13 +1195,14 @@ def retract_force_power_creep(
     --------
     >>> from axicontact.viscoelastic import flat_punch
     >>> value = flat_punch.retract_force_power_creep(
-    ...     1.0, a=1.0, v=0.2, v_2=0.05, t_m=0.9, E=1.0, alpha=0.25, t_0=1.0
+    ...     1.0, a=1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, alpha=0.25, t_0=1.0
     ... )
     >>> round(value, 6)
-    0.373434
+    0.315218
     """
-    require(a=a, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
-    return elementwise(_retract_force_power_creep, t, a=a, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
+    t_h = require_hold(t_m, t_h)
+    require(a=a, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
+    return elementwise(_retract_force_power_creep, t, a=a, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
 
 
 def step_force_power_creep(
@@ -1143,19 +1266,21 @@ def _step_force_maxwell(t: Array, d: Array, a: Array, E: Array, tau: Array) -> A
     return relaxation_maxwell(t, E, tau) * normal._force(d, a, 1.0)
 
 
-def _earlier_time_maxwell(t: Array, v: Array, v_2: Array, t_m: Array, E: Array, tau: Array) -> Array:
-    return earlier(t, t_m, lag_maxwell(t, t_m, v_2 / v, E, tau))
+def _earlier_time_maxwell(t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, tau: Array) -> Array:
+    return earlier(t, t_m, lag_maxwell(t, t_m, t_h, v_2 / v, E, tau))
 
 
-def _retract_force_maxwell(t: Array, v: Array, v_2: Array, t_m: Array, a: Array, E: Array, tau: Array) -> Array:
-    lag = lag_maxwell(t, t_m, v_2 / v, E, tau)
+def _retract_force_maxwell(
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, a: Array, E: Array, tau: Array
+) -> Array:
+    lag = lag_maxwell(t, t_m, t_h, v_2 / v, E, tau)
     t_1 = earlier(t, t_m, lag)
     back = normal._force(v * t_1, a, 1.0) * kept_maxwell(t, t_1, passed(t, t_m, lag), 1.0, E, tau)
     return np.where(t > t_m, np.where(t_1 > 0.0, back, 0.0), _ramp_force_maxwell(t, v, a, E, tau))
 
 
-def _contact_time_maxwell(v: Array, v_2: Array, t_m: Array, E: Array, tau: Array) -> Array:
-    return end_maxwell(v_2 / v, t_m, E, tau)
+def _contact_time_maxwell(v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, tau: Array) -> Array:
+    return end_maxwell(v_2 / v, t_m, t_h, E, tau)
 
 
 def _ramp_force_kelvin_voigt(t: Array, v: Array, a: Array, E: Array, eta: Array) -> Array:
@@ -1168,19 +1293,21 @@ def _step_force_kelvin_voigt(t: Array, d: Array, a: Array, E: Array, eta: Array)
     return relaxation_kelvin_voigt(t, E, eta) * normal._force(d, a, 1.0)
 
 
-def _earlier_time_kelvin_voigt(t: Array, v: Array, v_2: Array, t_m: Array, E: Array, eta: Array) -> Array:
-    return earlier(t, t_m, lag_kelvin_voigt(t, t_m, v_2 / v, E, eta))
+def _earlier_time_kelvin_voigt(t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, eta: Array) -> Array:
+    return earlier(t, t_m, lag_kelvin_voigt(t, t_m, t_h, v_2 / v, E, eta))
 
 
-def _retract_force_kelvin_voigt(t: Array, v: Array, v_2: Array, t_m: Array, a: Array, E: Array, eta: Array) -> Array:
-    lag = lag_kelvin_voigt(t, t_m, v_2 / v, E, eta)
+def _retract_force_kelvin_voigt(
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, a: Array, E: Array, eta: Array
+) -> Array:
+    lag = lag_kelvin_voigt(t, t_m, t_h, v_2 / v, E, eta)
     t_1 = earlier(t, t_m, lag)
     back = normal._force(v * t_1, a, 1.0) * kept_kelvin_voigt(t, t_1, passed(t, t_m, lag), 1.0, E, eta)
     return np.where(t > t_m, np.where(t_1 > 0.0, back, 0.0), _ramp_force_kelvin_voigt(t, v, a, E, eta))
 
 
-def _contact_time_kelvin_voigt(v: Array, v_2: Array, t_m: Array, E: Array, eta: Array) -> Array:
-    return end_kelvin_voigt(v_2 / v, t_m, E, eta)
+def _contact_time_kelvin_voigt(v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, eta: Array) -> Array:
+    return end_kelvin_voigt(v_2 / v, t_m, t_h, E, eta)
 
 
 def _ramp_force_standard_solid(t: Array, v: Array, a: Array, E_inf: Array, E_1: Array, tau: Array) -> Array:
@@ -1193,22 +1320,24 @@ def _step_force_standard_solid(t: Array, d: Array, a: Array, E_inf: Array, E_1: 
 
 
 def _earlier_time_standard_solid(
-    t: Array, v: Array, v_2: Array, t_m: Array, E_inf: Array, E_1: Array, tau: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, E_inf: Array, E_1: Array, tau: Array
 ) -> Array:
-    return earlier(t, t_m, lag_standard_solid(t, t_m, v_2 / v, E_inf, E_1, tau))
+    return earlier(t, t_m, lag_standard_solid(t, t_m, t_h, v_2 / v, E_inf, E_1, tau))
 
 
 def _retract_force_standard_solid(
-    t: Array, v: Array, v_2: Array, t_m: Array, a: Array, E_inf: Array, E_1: Array, tau: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, a: Array, E_inf: Array, E_1: Array, tau: Array
 ) -> Array:
-    lag = lag_standard_solid(t, t_m, v_2 / v, E_inf, E_1, tau)
+    lag = lag_standard_solid(t, t_m, t_h, v_2 / v, E_inf, E_1, tau)
     t_1 = earlier(t, t_m, lag)
     back = normal._force(v * t_1, a, 1.0) * kept_standard_solid(t, t_1, passed(t, t_m, lag), 1.0, E_inf, E_1, tau)
     return np.where(t > t_m, np.where(t_1 > 0.0, back, 0.0), _ramp_force_standard_solid(t, v, a, E_inf, E_1, tau))
 
 
-def _contact_time_standard_solid(v: Array, v_2: Array, t_m: Array, E_inf: Array, E_1: Array, tau: Array) -> Array:
-    return end_standard_solid(v_2 / v, t_m, E_inf, E_1, tau)
+def _contact_time_standard_solid(
+    v: Array, v_2: Array, t_m: Array, t_h: Array, E_inf: Array, E_1: Array, tau: Array
+) -> Array:
+    return end_standard_solid(v_2 / v, t_m, t_h, E_inf, E_1, tau)
 
 
 def _ramp_force_power_creep(t: Array, v: Array, a: Array, E: Array, alpha: Array, t_0: Array) -> Array:
@@ -1220,18 +1349,22 @@ def _step_force_power_creep(t: Array, d: Array, a: Array, E: Array, alpha: Array
     return relaxation_power_creep(t, E, alpha, t_0) * normal._force(d, a, 1.0)
 
 
-def _earlier_time_power_creep(t: Array, v: Array, v_2: Array, t_m: Array, E: Array, alpha: Array, t_0: Array) -> Array:
-    return earlier(t, t_m, lag_power_creep(t, t_m, v_2 / v, E, alpha, t_0))
+def _earlier_time_power_creep(
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, alpha: Array, t_0: Array
+) -> Array:
+    return earlier(t, t_m, lag_power_creep(t, t_m, t_h, v_2 / v, E, alpha, t_0))
 
 
 def _retract_force_power_creep(
-    t: Array, v: Array, v_2: Array, t_m: Array, a: Array, E: Array, alpha: Array, t_0: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, a: Array, E: Array, alpha: Array, t_0: Array
 ) -> Array:
-    lag = lag_power_creep(t, t_m, v_2 / v, E, alpha, t_0)
+    lag = lag_power_creep(t, t_m, t_h, v_2 / v, E, alpha, t_0)
     t_1 = earlier(t, t_m, lag)
     back = normal._force(v * t_1, a, 1.0) * kept_power_creep(t, t_1, passed(t, t_m, lag), 1.0, E, alpha, t_0)
     return np.where(t > t_m, np.where(t_1 > 0.0, back, 0.0), _ramp_force_power_creep(t, v, a, E, alpha, t_0))
 
 
-def _contact_time_power_creep(v: Array, v_2: Array, t_m: Array, E: Array, alpha: Array, t_0: Array) -> Array:
-    return end_power_creep(v_2 / v, t_m, E, alpha, t_0)
+def _contact_time_power_creep(
+    v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, alpha: Array, t_0: Array
+) -> Array:
+    return end_power_creep(v_2 / v, t_m, t_h, E, alpha, t_0)

@@ -39,6 +39,7 @@ from .._runtime.physics.retraction import (
     lag_power_creep,
     lag_standard_solid,
     passed,
+    require_hold,
 )
 from ..normal import paraboloid as normal
 
@@ -131,11 +132,18 @@ def ramp_force_maxwell(t: ArrayLike, *, R: ArrayLike, v: ArrayLike, E: ArrayLike
 
 
 def earlier_time_maxwell(
-    t: ArrayLike, *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, tau: ArrayLike
+    t: ArrayLike,
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    tau: ArrayLike,
 ) -> Result:
     """Time before t at which the contact was as large on a Maxwell fluid; zero after its end.
 
-    t_1 = tau*log(1 - v_2*(exp((-t_m + t)/tau) - 1)/v) + t_m
+    t_1 = tau*log(1 - v_2*(-exp((t_h - t_m)/tau) + exp((-t_m + t)/tau))/v) + t_m
 
     Parameters
     ----------
@@ -144,9 +152,11 @@ def earlier_time_maxwell(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -164,8 +174,9 @@ def earlier_time_maxwell(
 
     Notes
     -----
-    Valid for a << R, a ramp up to t_m and then a constant speed back, so that the contact has one maximum,
-    and no adhesion. Negative or NaN times give NaN. Handbook: paraboloid.vis.earlier_mx.
+    Valid for a << R, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back, so that
+    the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to t_m it is t, and t_m
+    while the depth is held. Handbook: paraboloid.vis.earlier_mx.
 
     References
     ----------
@@ -174,27 +185,32 @@ def earlier_time_maxwell(
     Examples
     --------
     >>> from axicontact.viscoelastic import paraboloid
-    >>> value = paraboloid.earlier_time_maxwell(1.0, v=0.2, v_2=0.05, t_m=0.9, E=1.0, tau=2.0)
+    >>> value = paraboloid.earlier_time_maxwell(1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, tau=2.0)
     >>> round(value, 6)
-    0.874199
+    0.772867
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, relaxation=tau)
-    return elementwise(_earlier_time_maxwell, t, v=v, v_2=v_2, t_m=t_m, E=E, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, relaxation=tau)
+    return elementwise(_earlier_time_maxwell, t, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, tau=tau)
 
 
-def contact_time_maxwell(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, tau: ArrayLike) -> Result:
+def contact_time_maxwell(
+    *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, t_h: ArrayLike | None = None, E: ArrayLike, tau: ArrayLike
+) -> Result:
     """Time at which the contact with a Maxwell fluid ends on the way back.
 
-    t_c = tau*log(v*(1 - exp(-t_m/tau))/v_2 + 1) + t_m
+    t_c = tau*log(v*(exp(t_m/tau) - 1)*exp(-t_h/tau)/v_2 + 1) + t_h
 
     Parameters
     ----------
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -212,8 +228,8 @@ def contact_time_maxwell(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: Arr
 
     Notes
     -----
-    Valid for a << R, a ramp up to t_m and then a constant speed back, so that the contact has one maximum,
-    and no adhesion. Handbook: paraboloid.vis.end_mx.
+    Valid for a << R, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back, so that
+    the contact has one maximum, and no adhesion. Handbook: paraboloid.vis.end_mx.
 
     References
     ----------
@@ -222,18 +238,27 @@ def contact_time_maxwell(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: Arr
     Examples
     --------
     >>> from axicontact.viscoelastic import paraboloid
-    >>> value = paraboloid.contact_time_maxwell(v=0.2, v_2=0.05, t_m=0.9, E=1.0, tau=2.0)
+    >>> value = paraboloid.contact_time_maxwell(v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, tau=2.0)
     >>> round(value, 6)
-    2.691758
+    2.525772
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, relaxation=tau)
-    return elementwise(_contact_time_maxwell, v=v, v_2=v_2, t_m=t_m, E=E, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, relaxation=tau)
+    return elementwise(_contact_time_maxwell, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, tau=tau)
 
 
 def retract_force_maxwell(
-    t: ArrayLike, *, R: ArrayLike, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, tau: ArrayLike
+    t: ArrayLike,
+    *,
+    R: ArrayLike,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    tau: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a Maxwell fluid, pressed in at v until t_m, then back at v_2.
+    """Normal force at time t on a Maxwell fluid, pressed in at v until t_m, from t_h on back at v_2.
 
     F = 4*E*sqrt(R)*t_1**(3/2)*v**(3/2)*exp((t_1 - t)/tau)*1F1(1, 5/2, -t_1/tau)/3
     with 1F1: Confluent 1F1(p; c; z)
@@ -247,9 +272,11 @@ def retract_force_maxwell(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -267,9 +294,10 @@ def retract_force_maxwell(
 
     Notes
     -----
-    Valid for a << R, a ramp up to t_m and then a constant speed back, so that the contact has one maximum,
-    and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_maxwell; up to t_m it is t, and
-    the force that of the ramp. Handbook: paraboloid.vis.retract_mx.
+    Valid for a << R, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back, so that
+    the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
+    earlier_time_maxwell; up to t_m it is t, and the force that of the ramp. Handbook:
+    paraboloid.vis.retract_mx.
 
     References
     ----------
@@ -278,18 +306,27 @@ def retract_force_maxwell(
     Examples
     --------
     >>> from axicontact.viscoelastic import paraboloid
-    >>> value = paraboloid.retract_force_maxwell(1.0, R=1.6, v=0.2, v_2=0.05, t_m=0.9, E=1.0, tau=2.0)
+    >>> value = paraboloid.retract_force_maxwell(1.0, R=1.6, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, tau=2.0)
     >>> round(value, 6)
-    0.09784
+    0.078785
     """
-    require(R=R, v=v, v_2=v_2, t_m=t_m, E=E, relaxation=tau)
-    return elementwise(_retract_force_maxwell, t, R=R, v=v, v_2=v_2, t_m=t_m, E=E, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(R=R, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, relaxation=tau)
+    return elementwise(_retract_force_maxwell, t, R=R, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, tau=tau)
 
 
 def retract_radius_maxwell(
-    t: ArrayLike, *, R: ArrayLike, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, tau: ArrayLike
+    t: ArrayLike,
+    *,
+    R: ArrayLike,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    tau: ArrayLike,
 ) -> Result:
-    """Contact radius at time t on a Maxwell fluid, pressed in at v until t_m, then back at v_2.
+    """Contact radius at time t on a Maxwell fluid, pressed in at v until t_m, from t_h on back at v_2.
 
     a = sqrt(R)*sqrt(t_1)*sqrt(v)
 
@@ -302,9 +339,11 @@ def retract_radius_maxwell(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -322,9 +361,10 @@ def retract_radius_maxwell(
 
     Notes
     -----
-    Valid for a << R, a ramp up to t_m and then a constant speed back, so that the contact has one maximum,
-    and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_maxwell; up to t_m it is t, and
-    the force that of the ramp. Handbook: paraboloid.vis.radius_mx.
+    Valid for a << R, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back, so that
+    the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
+    earlier_time_maxwell; up to t_m it is t, and the force that of the ramp. Handbook:
+    paraboloid.vis.radius_mx.
 
     References
     ----------
@@ -333,12 +373,13 @@ def retract_radius_maxwell(
     Examples
     --------
     >>> from axicontact.viscoelastic import paraboloid
-    >>> value = paraboloid.retract_radius_maxwell(1.0, R=1.6, v=0.2, v_2=0.05, t_m=0.9, E=1.0, tau=2.0)
+    >>> value = paraboloid.retract_radius_maxwell(1.0, R=1.6, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, tau=2.0)
     >>> round(value, 6)
-    0.528908
+    0.49731
     """
-    require(R=R, v=v, v_2=v_2, t_m=t_m, E=E, relaxation=tau)
-    return elementwise(_retract_radius_maxwell, t, R=R, v=v, v_2=v_2, t_m=t_m, E=E, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(R=R, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, relaxation=tau)
+    return elementwise(_retract_radius_maxwell, t, R=R, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, tau=tau)
 
 
 def step_force_maxwell(t: ArrayLike, *, d: ArrayLike, R: ArrayLike, E: ArrayLike, tau: ArrayLike) -> Result:
@@ -486,11 +527,18 @@ def ramp_force_kelvin_voigt(t: ArrayLike, *, R: ArrayLike, v: ArrayLike, E: Arra
 
 
 def earlier_time_kelvin_voigt(
-    t: ArrayLike, *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, eta: ArrayLike
+    t: ArrayLike,
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    eta: ArrayLike,
 ) -> Result:
     """Time before t at which the contact was as large on a Kelvin-Voigt solid; zero after its end.
 
-    t_1 = t_m - v_2*(-t_m + t + eta/E)/v
+    t_1 = t_m - v_2*(-t_h + t + eta/E)/v
 
     Parameters
     ----------
@@ -499,9 +547,11 @@ def earlier_time_kelvin_voigt(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -519,8 +569,9 @@ def earlier_time_kelvin_voigt(
 
     Notes
     -----
-    Valid for a << R, a ramp up to t_m and then a constant speed back, so that the contact has one maximum,
-    and no adhesion. Negative or NaN times give NaN. Handbook: paraboloid.vis.earlier_kv.
+    Valid for a << R, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back, so that
+    the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to t_m it is t, and t_m
+    while the depth is held. Handbook: paraboloid.vis.earlier_kv.
 
     References
     ----------
@@ -529,27 +580,32 @@ def earlier_time_kelvin_voigt(
     Examples
     --------
     >>> from axicontact.viscoelastic import paraboloid
-    >>> value = paraboloid.earlier_time_kelvin_voigt(1.0, v=0.2, v_2=0.05, t_m=0.9, E=1.0, eta=1.5)
+    >>> value = paraboloid.earlier_time_kelvin_voigt(1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, eta=1.5)
     >>> round(value, 6)
-    0.5
+    0.4
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
-    return elementwise(_earlier_time_kelvin_voigt, t, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
+    return elementwise(_earlier_time_kelvin_voigt, t, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
 
 
-def contact_time_kelvin_voigt(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, eta: ArrayLike) -> Result:
+def contact_time_kelvin_voigt(
+    *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, t_h: ArrayLike | None = None, E: ArrayLike, eta: ArrayLike
+) -> Result:
     """Time at which the contact with a Kelvin-Voigt solid ends on the way back.
 
-    t_c = t_m*v/v_2 + t_m - eta/E
+    t_c = t_h + t_m*v/v_2 - eta/E
 
     Parameters
     ----------
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -567,8 +623,8 @@ def contact_time_kelvin_voigt(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E
 
     Notes
     -----
-    Valid for a << R, a ramp up to t_m and then a constant speed back, so that the contact has one maximum,
-    and no adhesion. Handbook: paraboloid.vis.end_kv.
+    Valid for a << R, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back, so that
+    the contact has one maximum, and no adhesion. Handbook: paraboloid.vis.end_kv.
 
     References
     ----------
@@ -577,18 +633,27 @@ def contact_time_kelvin_voigt(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E
     Examples
     --------
     >>> from axicontact.viscoelastic import paraboloid
-    >>> value = paraboloid.contact_time_kelvin_voigt(v=0.2, v_2=0.05, t_m=0.9, E=1.0, eta=1.5)
+    >>> value = paraboloid.contact_time_kelvin_voigt(v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, eta=1.5)
     >>> round(value, 6)
-    3.0
+    2.6
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
-    return elementwise(_contact_time_kelvin_voigt, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
+    return elementwise(_contact_time_kelvin_voigt, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
 
 
 def retract_force_kelvin_voigt(
-    t: ArrayLike, *, R: ArrayLike, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, eta: ArrayLike
+    t: ArrayLike,
+    *,
+    R: ArrayLike,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    eta: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a Kelvin-Voigt solid, pressed in at v until t_m, then back at v_2.
+    """Normal force at time t on a Kelvin-Voigt solid, pressed in at v until t_m, from t_h on back at v_2.
 
     F = 4*E*sqrt(R)*t_1**(3/2)*v**(3/2)/3
 
@@ -601,9 +666,11 @@ def retract_force_kelvin_voigt(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -621,9 +688,10 @@ def retract_force_kelvin_voigt(
 
     Notes
     -----
-    Valid for a << R, a ramp up to t_m and then a constant speed back, so that the contact has one maximum,
-    and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_kelvin_voigt; up to t_m it is t,
-    and the force that of the ramp. Handbook: paraboloid.vis.retract_kv.
+    Valid for a << R, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back, so that
+    the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
+    earlier_time_kelvin_voigt; up to t_m it is t, and the force that of the ramp. Handbook:
+    paraboloid.vis.retract_kv.
 
     References
     ----------
@@ -632,18 +700,27 @@ def retract_force_kelvin_voigt(
     Examples
     --------
     >>> from axicontact.viscoelastic import paraboloid
-    >>> value = paraboloid.retract_force_kelvin_voigt(1.0, R=1.6, v=0.2, v_2=0.05, t_m=0.9, E=1.0, eta=1.5)
+    >>> value = paraboloid.retract_force_kelvin_voigt(1.0, R=1.6, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, eta=1.5)
     >>> round(value, 6)
-    0.053333
+    0.038162
     """
-    require(R=R, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
-    return elementwise(_retract_force_kelvin_voigt, t, R=R, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
+    t_h = require_hold(t_m, t_h)
+    require(R=R, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
+    return elementwise(_retract_force_kelvin_voigt, t, R=R, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
 
 
 def retract_radius_kelvin_voigt(
-    t: ArrayLike, *, R: ArrayLike, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, eta: ArrayLike
+    t: ArrayLike,
+    *,
+    R: ArrayLike,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    eta: ArrayLike,
 ) -> Result:
-    """Contact radius at time t on a Kelvin-Voigt solid, pressed in at v until t_m, then back at v_2.
+    """Contact radius at time t on a Kelvin-Voigt solid, pressed in at v until t_m, from t_h on back at v_2.
 
     a = sqrt(R)*sqrt(t_1)*sqrt(v)
 
@@ -656,9 +733,11 @@ def retract_radius_kelvin_voigt(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -676,9 +755,10 @@ def retract_radius_kelvin_voigt(
 
     Notes
     -----
-    Valid for a << R, a ramp up to t_m and then a constant speed back, so that the contact has one maximum,
-    and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_kelvin_voigt; up to t_m it is t,
-    and the force that of the ramp. Handbook: paraboloid.vis.radius_kv.
+    Valid for a << R, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back, so that
+    the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
+    earlier_time_kelvin_voigt; up to t_m it is t, and the force that of the ramp. Handbook:
+    paraboloid.vis.radius_kv.
 
     References
     ----------
@@ -687,12 +767,15 @@ def retract_radius_kelvin_voigt(
     Examples
     --------
     >>> from axicontact.viscoelastic import paraboloid
-    >>> value = paraboloid.retract_radius_kelvin_voigt(1.0, R=1.6, v=0.2, v_2=0.05, t_m=0.9, E=1.0, eta=1.5)
+    >>> value = paraboloid.retract_radius_kelvin_voigt(
+    ...     1.0, R=1.6, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, eta=1.5
+    ... )
     >>> round(value, 6)
-    0.4
+    0.357771
     """
-    require(R=R, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
-    return elementwise(_retract_radius_kelvin_voigt, t, R=R, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
+    t_h = require_hold(t_m, t_h)
+    require(R=R, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
+    return elementwise(_retract_radius_kelvin_voigt, t, R=R, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
 
 
 def step_force_kelvin_voigt(t: ArrayLike, *, d: ArrayLike, R: ArrayLike, E: ArrayLike, eta: ArrayLike) -> Result:
@@ -845,12 +928,21 @@ def ramp_force_standard_solid(
 
 
 def earlier_time_standard_solid(
-    t: ArrayLike, *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E_inf: ArrayLike, E_1: ArrayLike, tau: ArrayLike
+    t: ArrayLike,
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E_inf: ArrayLike,
+    E_1: ArrayLike,
+    tau: ArrayLike,
 ) -> Result:
     """Time before t at which the contact was as large on a standard solid; zero after its end.
 
-    t_1 from E_1*tau*(1 - exp(-(-t_1 + t)/tau)) + E_inf*(-t_1 + t) = (1 +
-    v_2/v)*(E_1*tau*(1 - exp(-(-t_m + t)/tau)) + E_inf*(-t_m + t))
+    t_1 from E_1*tau*(1 - exp(-(-t_1 + t)/tau)) + E_inf*(-t_1 + t) = E_1*tau*(1 -
+    exp(-(-t_m + t)/tau)) + E_inf*(-t_m + t) + v_2*(E_1*tau*(1 - exp(-(-t_h +
+    t)/tau)) + E_inf*(-t_h + t))/v
 
     Parameters
     ----------
@@ -859,9 +951,11 @@ def earlier_time_standard_solid(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -881,8 +975,9 @@ def earlier_time_standard_solid(
 
     Notes
     -----
-    Valid for a << R, a ramp up to t_m and then a constant speed back, so that the contact has one maximum,
-    and no adhesion. Negative or NaN times give NaN. Handbook: paraboloid.vis.earlier_sls.
+    Valid for a << R, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back, so that
+    the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to t_m it is t, and t_m
+    while the depth is held. Handbook: paraboloid.vis.earlier_sls.
 
     References
     ----------
@@ -891,30 +986,43 @@ def earlier_time_standard_solid(
     Examples
     --------
     >>> from axicontact.viscoelastic import paraboloid
-    >>> value = paraboloid.earlier_time_standard_solid(1.0, v=0.2, v_2=0.05, t_m=0.9, E_inf=0.4, E_1=0.6, tau=2.0)
+    >>> value = paraboloid.earlier_time_standard_solid(
+    ...     1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E_inf=0.4, E_1=0.6, tau=2.0
+    ... )
     >>> round(value, 6)
-    0.874531
+    0.773779
     """
-    require(v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, relaxation=tau)
-    return elementwise(_earlier_time_standard_solid, t, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, relaxation=tau)
+    return elementwise(_earlier_time_standard_solid, t, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, tau=tau)
 
 
 def contact_time_standard_solid(
-    *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E_inf: ArrayLike, E_1: ArrayLike, tau: ArrayLike
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E_inf: ArrayLike,
+    E_1: ArrayLike,
+    tau: ArrayLike,
 ) -> Result:
     """Time at which the contact with a standard solid ends on the way back.
 
-    t_c from E_1*tau*(1 - exp(-t_c/tau)) + E_inf*t_c = (1 + v_2/v)*(E_1*tau*(1 -
-    exp(-(t_c - t_m)/tau)) + E_inf*(t_c - t_m))
+    t_c from E_1*tau*(1 - exp(-t_c/tau)) + E_inf*t_c = E_1*tau*(1 - exp(-(t_c -
+    t_m)/tau)) + E_inf*(t_c - t_m) + v_2*(E_1*tau*(1 - exp(-(t_c - t_h)/tau)) +
+    E_inf*(t_c - t_h))/v
 
     Parameters
     ----------
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -934,8 +1042,8 @@ def contact_time_standard_solid(
 
     Notes
     -----
-    Valid for a << R, a ramp up to t_m and then a constant speed back, so that the contact has one maximum,
-    and no adhesion. Handbook: paraboloid.vis.end_sls.
+    Valid for a << R, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back, so that
+    the contact has one maximum, and no adhesion. Handbook: paraboloid.vis.end_sls.
 
     References
     ----------
@@ -944,12 +1052,15 @@ def contact_time_standard_solid(
     Examples
     --------
     >>> from axicontact.viscoelastic import paraboloid
-    >>> value = paraboloid.contact_time_standard_solid(v=0.2, v_2=0.05, t_m=0.9, E_inf=0.4, E_1=0.6, tau=2.0)
+    >>> value = paraboloid.contact_time_standard_solid(
+    ...     v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E_inf=0.4, E_1=0.6, tau=2.0
+    ... )
     >>> round(value, 6)
-    3.501344
+    3.220085
     """
-    require(v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, relaxation=tau)
-    return elementwise(_contact_time_standard_solid, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, relaxation=tau)
+    return elementwise(_contact_time_standard_solid, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, tau=tau)
 
 
 def retract_force_standard_solid(
@@ -959,11 +1070,12 @@ def retract_force_standard_solid(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E_inf: ArrayLike,
     E_1: ArrayLike,
     tau: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a standard solid, pressed in at v until t_m, then back at v_2.
+    """Normal force at time t on a standard solid, pressed in at v until t_m, from t_h on back at v_2.
 
     F = 4*sqrt(R)*t_1**(3/2)*v**(3/2)*(E_1*exp((t_1 - t)/tau)*1F1(1, 5/2, -t_1/tau) +
     E_inf)/3
@@ -978,9 +1090,11 @@ def retract_force_standard_solid(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -1000,9 +1114,10 @@ def retract_force_standard_solid(
 
     Notes
     -----
-    Valid for a << R, a ramp up to t_m and then a constant speed back, so that the contact has one maximum,
-    and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_standard_solid; up to t_m it is
-    t, and the force that of the ramp. Handbook: paraboloid.vis.retract_sls.
+    Valid for a << R, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back, so that
+    the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
+    earlier_time_standard_solid; up to t_m it is t, and the force that of the ramp. Handbook:
+    paraboloid.vis.retract_sls.
 
     References
     ----------
@@ -1012,13 +1127,16 @@ def retract_force_standard_solid(
     --------
     >>> from axicontact.viscoelastic import paraboloid
     >>> value = paraboloid.retract_force_standard_solid(
-    ...     1.0, R=1.6, v=0.2, v_2=0.05, t_m=0.9, E_inf=0.4, E_1=0.6, tau=2.0
+    ...     1.0, R=1.6, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E_inf=0.4, E_1=0.6, tau=2.0
     ... )
     >>> round(value, 6)
-    0.108091
+    0.088439
     """
-    require(R=R, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, relaxation=tau)
-    return elementwise(_retract_force_standard_solid, t, R=R, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(R=R, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, relaxation=tau)
+    return elementwise(
+        _retract_force_standard_solid, t, R=R, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, tau=tau
+    )
 
 
 def retract_radius_standard_solid(
@@ -1028,11 +1146,12 @@ def retract_radius_standard_solid(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E_inf: ArrayLike,
     E_1: ArrayLike,
     tau: ArrayLike,
 ) -> Result:
-    """Contact radius at time t on a standard solid, pressed in at v until t_m, then back at v_2.
+    """Contact radius at time t on a standard solid, pressed in at v until t_m, from t_h on back at v_2.
 
     a = sqrt(R)*sqrt(t_1)*sqrt(v)
 
@@ -1045,9 +1164,11 @@ def retract_radius_standard_solid(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -1067,9 +1188,10 @@ def retract_radius_standard_solid(
 
     Notes
     -----
-    Valid for a << R, a ramp up to t_m and then a constant speed back, so that the contact has one maximum,
-    and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_standard_solid; up to t_m it is
-    t, and the force that of the ramp. Handbook: paraboloid.vis.radius_sls.
+    Valid for a << R, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back, so that
+    the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
+    earlier_time_standard_solid; up to t_m it is t, and the force that of the ramp. Handbook:
+    paraboloid.vis.radius_sls.
 
     References
     ----------
@@ -1079,13 +1201,16 @@ def retract_radius_standard_solid(
     --------
     >>> from axicontact.viscoelastic import paraboloid
     >>> value = paraboloid.retract_radius_standard_solid(
-    ...     1.0, R=1.6, v=0.2, v_2=0.05, t_m=0.9, E_inf=0.4, E_1=0.6, tau=2.0
+    ...     1.0, R=1.6, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E_inf=0.4, E_1=0.6, tau=2.0
     ... )
     >>> round(value, 6)
-    0.529009
+    0.497603
     """
-    require(R=R, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, relaxation=tau)
-    return elementwise(_retract_radius_standard_solid, t, R=R, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(R=R, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, relaxation=tau)
+    return elementwise(
+        _retract_radius_standard_solid, t, R=R, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, tau=tau
+    )
 
 
 def step_force_standard_solid(
@@ -1246,11 +1371,19 @@ def ramp_force_power_creep(
 
 
 def earlier_time_power_creep(
-    t: ArrayLike, *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, alpha: ArrayLike, t_0: ArrayLike
+    t: ArrayLike,
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    alpha: ArrayLike,
+    t_0: ArrayLike,
 ) -> Result:
     """Time before t at which the contact was as large on a material of power-law creep; zero after its end.
 
-    t_1 = t - (1 + v_2/v)**(1/(1 - alpha))*(-t_m + t)
+    t_1 = t - (1 + v_2*((-t_m + t)/(-t_h + t))**(alpha - 1)/v)**(1/(1 - alpha))*(-t_m + t)
 
     Parameters
     ----------
@@ -1259,9 +1392,11 @@ def earlier_time_power_creep(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1281,8 +1416,9 @@ def earlier_time_power_creep(
 
     Notes
     -----
-    Valid for a << R, a ramp up to t_m and then a constant speed back, so that the contact has one maximum,
-    and no adhesion. Negative or NaN times give NaN. Handbook: paraboloid.vis.earlier_pc.
+    Valid for a << R, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back, so that
+    the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to t_m it is t, and t_m
+    while the depth is held. Handbook: paraboloid.vis.earlier_pc.
 
     References
     ----------
@@ -1291,29 +1427,43 @@ def earlier_time_power_creep(
     Examples
     --------
     >>> from axicontact.viscoelastic import paraboloid
-    >>> value = paraboloid.earlier_time_power_creep(1.0, v=0.2, v_2=0.05, t_m=0.9, E=1.0, alpha=0.25, t_0=1.0)
+    >>> value = paraboloid.earlier_time_power_creep(
+    ...     1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, alpha=0.25, t_0=1.0
+    ... )
     >>> round(value, 6)
-    0.865348
+    0.759408
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
-    return elementwise(_earlier_time_power_creep, t, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
+    return elementwise(_earlier_time_power_creep, t, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
 
 
 def contact_time_power_creep(
-    *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, alpha: ArrayLike, t_0: ArrayLike
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    alpha: ArrayLike,
+    t_0: ArrayLike,
 ) -> Result:
     """Time at which the contact with a material of power-law creep ends on the way back.
 
-    t_c = t_m + t_m/((1 + v_2/v)**(1/(1 - alpha)) - 1)
+    t_c from E*t_0**alpha*t_c**(1 - alpha)/((1 - alpha)*gamma(1 - alpha)*gamma(alpha + 1)) = E*t_0**alpha*(t_c
+    - t_m)**(1 - alpha)/((1 - alpha)*gamma(1 - alpha)*gamma(alpha + 1)) + E*t_0**alpha*v_2*(t_c - t_h)**(1 -
+    alpha)/(v*(1 - alpha)*gamma(1 - alpha)*gamma(alpha + 1))
 
     Parameters
     ----------
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1333,8 +1483,8 @@ def contact_time_power_creep(
 
     Notes
     -----
-    Valid for a << R, a ramp up to t_m and then a constant speed back, so that the contact has one maximum,
-    and no adhesion. Handbook: paraboloid.vis.end_pc.
+    Valid for a << R, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back, so that
+    the contact has one maximum, and no adhesion. Handbook: paraboloid.vis.end_pc.
 
     References
     ----------
@@ -1343,12 +1493,13 @@ def contact_time_power_creep(
     Examples
     --------
     >>> from axicontact.viscoelastic import paraboloid
-    >>> value = paraboloid.contact_time_power_creep(v=0.2, v_2=0.05, t_m=0.9, E=1.0, alpha=0.25, t_0=1.0)
+    >>> value = paraboloid.contact_time_power_creep(v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, alpha=0.25, t_0=1.0)
     >>> round(value, 6)
-    3.49724
+    3.186706
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
-    return elementwise(_contact_time_power_creep, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
+    return elementwise(_contact_time_power_creep, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
 
 
 def retract_force_power_creep(
@@ -1358,11 +1509,12 @@ def retract_force_power_creep(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E: ArrayLike,
     alpha: ArrayLike,
     t_0: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a material of power-law creep, pressed in at v until t_m, then back at v_2.
+    """Normal force at time t on a material of power-law creep, pressed in at v until t_m, from t_h on back at v_2.
 
     F = 2*E*sqrt(R)*t_0**alpha*t**(3/2 - alpha)*v**(3/2)*IncompleteBeta(t_1/t, 3/2, 1 - alpha)/(gamma(1
     - alpha)*gamma(alpha + 1))
@@ -1378,9 +1530,11 @@ def retract_force_power_creep(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1400,9 +1554,10 @@ def retract_force_power_creep(
 
     Notes
     -----
-    Valid for a << R, a ramp up to t_m and then a constant speed back, so that the contact has one maximum,
-    and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_power_creep; up to t_m it is t,
-    and the force that of the ramp. Handbook: paraboloid.vis.retract_pc.
+    Valid for a << R, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back, so that
+    the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
+    earlier_time_power_creep; up to t_m it is t, and the force that of the ramp. Handbook:
+    paraboloid.vis.retract_pc.
 
     References
     ----------
@@ -1412,13 +1567,14 @@ def retract_force_power_creep(
     --------
     >>> from axicontact.viscoelastic import paraboloid
     >>> value = paraboloid.retract_force_power_creep(
-    ...     1.0, R=1.6, v=0.2, v_2=0.05, t_m=0.9, E=1.0, alpha=0.25, t_0=1.0
+    ...     1.0, R=1.6, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, alpha=0.25, t_0=1.0
     ... )
     >>> round(value, 6)
-    0.13667
+    0.10697
     """
-    require(R=R, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
-    return elementwise(_retract_force_power_creep, t, R=R, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
+    t_h = require_hold(t_m, t_h)
+    require(R=R, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
+    return elementwise(_retract_force_power_creep, t, R=R, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
 
 
 def retract_radius_power_creep(
@@ -1428,11 +1584,12 @@ def retract_radius_power_creep(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E: ArrayLike,
     alpha: ArrayLike,
     t_0: ArrayLike,
 ) -> Result:
-    """Contact radius at time t on a material of power-law creep, pressed in at v until t_m, then back at v_2.
+    """Contact radius at time t on a material of power-law creep, pressed in at v until t_m, from t_h on back at v_2.
 
     a = sqrt(R)*sqrt(t_1)*sqrt(v)
 
@@ -1445,9 +1602,11 @@ def retract_radius_power_creep(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1467,9 +1626,10 @@ def retract_radius_power_creep(
 
     Notes
     -----
-    Valid for a << R, a ramp up to t_m and then a constant speed back, so that the contact has one maximum,
-    and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_power_creep; up to t_m it is t,
-    and the force that of the ramp. Handbook: paraboloid.vis.radius_pc.
+    Valid for a << R, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back, so that
+    the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
+    earlier_time_power_creep; up to t_m it is t, and the force that of the ramp. Handbook:
+    paraboloid.vis.radius_pc.
 
     References
     ----------
@@ -1479,13 +1639,14 @@ def retract_radius_power_creep(
     --------
     >>> from axicontact.viscoelastic import paraboloid
     >>> value = paraboloid.retract_radius_power_creep(
-    ...     1.0, R=1.6, v=0.2, v_2=0.05, t_m=0.9, E=1.0, alpha=0.25, t_0=1.0
+    ...     1.0, R=1.6, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, alpha=0.25, t_0=1.0
     ... )
     >>> round(value, 6)
-    0.526224
+    0.492961
     """
-    require(R=R, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
-    return elementwise(_retract_radius_power_creep, t, R=R, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
+    t_h = require_hold(t_m, t_h)
+    require(R=R, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
+    return elementwise(_retract_radius_power_creep, t, R=R, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
 
 
 def step_force_power_creep(
@@ -1605,24 +1766,28 @@ def _step_load_radius_maxwell(t: Array, F: Array, R: Array, E: Array, tau: Array
     return normal._radius_from_force(F * creep_maxwell(t, E, tau), R, 1.0)
 
 
-def _earlier_time_maxwell(t: Array, v: Array, v_2: Array, t_m: Array, E: Array, tau: Array) -> Array:
-    return earlier(t, t_m, lag_maxwell(t, t_m, v_2 / v, E, tau))
+def _earlier_time_maxwell(t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, tau: Array) -> Array:
+    return earlier(t, t_m, lag_maxwell(t, t_m, t_h, v_2 / v, E, tau))
 
 
-def _retract_radius_maxwell(t: Array, v: Array, v_2: Array, t_m: Array, R: Array, E: Array, tau: Array) -> Array:
-    t_1 = earlier(t, t_m, lag_maxwell(t, t_m, v_2 / v, E, tau))
+def _retract_radius_maxwell(
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, R: Array, E: Array, tau: Array
+) -> Array:
+    t_1 = earlier(t, t_m, lag_maxwell(t, t_m, t_h, v_2 / v, E, tau))
     return np.where(t_1 <= 0.0, 0.0, normal._radius_from_depth(v * t_1, R))
 
 
-def _retract_force_maxwell(t: Array, v: Array, v_2: Array, t_m: Array, R: Array, E: Array, tau: Array) -> Array:
-    lag = lag_maxwell(t, t_m, v_2 / v, E, tau)
+def _retract_force_maxwell(
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, R: Array, E: Array, tau: Array
+) -> Array:
+    lag = lag_maxwell(t, t_m, t_h, v_2 / v, E, tau)
     t_1 = earlier(t, t_m, lag)
     back = normal._force_from_depth(v * t_1, R, 1.0) * kept_maxwell(t, t_1, passed(t, t_m, lag), 1.5, E, tau)
     return np.where(t > t_m, np.where(t_1 > 0.0, back, 0.0), _ramp_force_maxwell(t, v, R, E, tau))
 
 
-def _contact_time_maxwell(v: Array, v_2: Array, t_m: Array, E: Array, tau: Array) -> Array:
-    return end_maxwell(v_2 / v, t_m, E, tau)
+def _contact_time_maxwell(v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, tau: Array) -> Array:
+    return end_maxwell(v_2 / v, t_m, t_h, E, tau)
 
 
 def _ramp_force_kelvin_voigt(t: Array, v: Array, R: Array, E: Array, eta: Array) -> Array:
@@ -1638,24 +1803,28 @@ def _step_load_radius_kelvin_voigt(t: Array, F: Array, R: Array, E: Array, eta: 
     return normal._radius_from_force(F * creep_kelvin_voigt(t, E, eta), R, 1.0)
 
 
-def _earlier_time_kelvin_voigt(t: Array, v: Array, v_2: Array, t_m: Array, E: Array, eta: Array) -> Array:
-    return earlier(t, t_m, lag_kelvin_voigt(t, t_m, v_2 / v, E, eta))
+def _earlier_time_kelvin_voigt(t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, eta: Array) -> Array:
+    return earlier(t, t_m, lag_kelvin_voigt(t, t_m, t_h, v_2 / v, E, eta))
 
 
-def _retract_radius_kelvin_voigt(t: Array, v: Array, v_2: Array, t_m: Array, R: Array, E: Array, eta: Array) -> Array:
-    t_1 = earlier(t, t_m, lag_kelvin_voigt(t, t_m, v_2 / v, E, eta))
+def _retract_radius_kelvin_voigt(
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, R: Array, E: Array, eta: Array
+) -> Array:
+    t_1 = earlier(t, t_m, lag_kelvin_voigt(t, t_m, t_h, v_2 / v, E, eta))
     return np.where(t_1 <= 0.0, 0.0, normal._radius_from_depth(v * t_1, R))
 
 
-def _retract_force_kelvin_voigt(t: Array, v: Array, v_2: Array, t_m: Array, R: Array, E: Array, eta: Array) -> Array:
-    lag = lag_kelvin_voigt(t, t_m, v_2 / v, E, eta)
+def _retract_force_kelvin_voigt(
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, R: Array, E: Array, eta: Array
+) -> Array:
+    lag = lag_kelvin_voigt(t, t_m, t_h, v_2 / v, E, eta)
     t_1 = earlier(t, t_m, lag)
     back = normal._force_from_depth(v * t_1, R, 1.0) * kept_kelvin_voigt(t, t_1, passed(t, t_m, lag), 1.5, E, eta)
     return np.where(t > t_m, np.where(t_1 > 0.0, back, 0.0), _ramp_force_kelvin_voigt(t, v, R, E, eta))
 
 
-def _contact_time_kelvin_voigt(v: Array, v_2: Array, t_m: Array, E: Array, eta: Array) -> Array:
-    return end_kelvin_voigt(v_2 / v, t_m, E, eta)
+def _contact_time_kelvin_voigt(v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, eta: Array) -> Array:
+    return end_kelvin_voigt(v_2 / v, t_m, t_h, E, eta)
 
 
 def _ramp_force_standard_solid(t: Array, v: Array, R: Array, E_inf: Array, E_1: Array, tau: Array) -> Array:
@@ -1672,22 +1841,22 @@ def _step_load_radius_standard_solid(t: Array, F: Array, R: Array, E_inf: Array,
 
 
 def _earlier_time_standard_solid(
-    t: Array, v: Array, v_2: Array, t_m: Array, E_inf: Array, E_1: Array, tau: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, E_inf: Array, E_1: Array, tau: Array
 ) -> Array:
-    return earlier(t, t_m, lag_standard_solid(t, t_m, v_2 / v, E_inf, E_1, tau))
+    return earlier(t, t_m, lag_standard_solid(t, t_m, t_h, v_2 / v, E_inf, E_1, tau))
 
 
 def _retract_radius_standard_solid(
-    t: Array, v: Array, v_2: Array, t_m: Array, R: Array, E_inf: Array, E_1: Array, tau: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, R: Array, E_inf: Array, E_1: Array, tau: Array
 ) -> Array:
-    t_1 = earlier(t, t_m, lag_standard_solid(t, t_m, v_2 / v, E_inf, E_1, tau))
+    t_1 = earlier(t, t_m, lag_standard_solid(t, t_m, t_h, v_2 / v, E_inf, E_1, tau))
     return np.where(t_1 <= 0.0, 0.0, normal._radius_from_depth(v * t_1, R))
 
 
 def _retract_force_standard_solid(
-    t: Array, v: Array, v_2: Array, t_m: Array, R: Array, E_inf: Array, E_1: Array, tau: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, R: Array, E_inf: Array, E_1: Array, tau: Array
 ) -> Array:
-    lag = lag_standard_solid(t, t_m, v_2 / v, E_inf, E_1, tau)
+    lag = lag_standard_solid(t, t_m, t_h, v_2 / v, E_inf, E_1, tau)
     t_1 = earlier(t, t_m, lag)
     back = normal._force_from_depth(v * t_1, R, 1.0) * kept_standard_solid(
         t, t_1, passed(t, t_m, lag), 1.5, E_inf, E_1, tau
@@ -1695,8 +1864,10 @@ def _retract_force_standard_solid(
     return np.where(t > t_m, np.where(t_1 > 0.0, back, 0.0), _ramp_force_standard_solid(t, v, R, E_inf, E_1, tau))
 
 
-def _contact_time_standard_solid(v: Array, v_2: Array, t_m: Array, E_inf: Array, E_1: Array, tau: Array) -> Array:
-    return end_standard_solid(v_2 / v, t_m, E_inf, E_1, tau)
+def _contact_time_standard_solid(
+    v: Array, v_2: Array, t_m: Array, t_h: Array, E_inf: Array, E_1: Array, tau: Array
+) -> Array:
+    return end_standard_solid(v_2 / v, t_m, t_h, E_inf, E_1, tau)
 
 
 def _ramp_force_power_creep(t: Array, v: Array, R: Array, E: Array, alpha: Array, t_0: Array) -> Array:
@@ -1712,25 +1883,29 @@ def _step_load_radius_power_creep(t: Array, F: Array, R: Array, E: Array, alpha:
     return normal._radius_from_force(F * creep_power_creep(t, E, alpha, t_0), R, 1.0)
 
 
-def _earlier_time_power_creep(t: Array, v: Array, v_2: Array, t_m: Array, E: Array, alpha: Array, t_0: Array) -> Array:
-    return earlier(t, t_m, lag_power_creep(t, t_m, v_2 / v, E, alpha, t_0))
+def _earlier_time_power_creep(
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, alpha: Array, t_0: Array
+) -> Array:
+    return earlier(t, t_m, lag_power_creep(t, t_m, t_h, v_2 / v, E, alpha, t_0))
 
 
 def _retract_radius_power_creep(
-    t: Array, v: Array, v_2: Array, t_m: Array, R: Array, E: Array, alpha: Array, t_0: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, R: Array, E: Array, alpha: Array, t_0: Array
 ) -> Array:
-    t_1 = earlier(t, t_m, lag_power_creep(t, t_m, v_2 / v, E, alpha, t_0))
+    t_1 = earlier(t, t_m, lag_power_creep(t, t_m, t_h, v_2 / v, E, alpha, t_0))
     return np.where(t_1 <= 0.0, 0.0, normal._radius_from_depth(v * t_1, R))
 
 
 def _retract_force_power_creep(
-    t: Array, v: Array, v_2: Array, t_m: Array, R: Array, E: Array, alpha: Array, t_0: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, R: Array, E: Array, alpha: Array, t_0: Array
 ) -> Array:
-    lag = lag_power_creep(t, t_m, v_2 / v, E, alpha, t_0)
+    lag = lag_power_creep(t, t_m, t_h, v_2 / v, E, alpha, t_0)
     t_1 = earlier(t, t_m, lag)
     back = normal._force_from_depth(v * t_1, R, 1.0) * kept_power_creep(t, t_1, passed(t, t_m, lag), 1.5, E, alpha, t_0)
     return np.where(t > t_m, np.where(t_1 > 0.0, back, 0.0), _ramp_force_power_creep(t, v, R, E, alpha, t_0))
 
 
-def _contact_time_power_creep(v: Array, v_2: Array, t_m: Array, E: Array, alpha: Array, t_0: Array) -> Array:
-    return end_power_creep(v_2 / v, t_m, E, alpha, t_0)
+def _contact_time_power_creep(
+    v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, alpha: Array, t_0: Array
+) -> Array:
+    return end_power_creep(v_2 / v, t_m, t_h, E, alpha, t_0)

@@ -36,6 +36,7 @@ from .._runtime.physics.retraction import (
     lag_power_creep,
     lag_standard_solid,
     passed,
+    require_hold,
 )
 from ..normal import polynomial as normal
 
@@ -130,11 +131,18 @@ def ramp_force_maxwell(t: ArrayLike, *, A: ArrayLike, v: ArrayLike, E: ArrayLike
 
 
 def earlier_time_maxwell(
-    t: ArrayLike, *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, tau: ArrayLike
+    t: ArrayLike,
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    tau: ArrayLike,
 ) -> Result:
     """Time before t at which the contact was as large on a Maxwell fluid; zero after its end.
 
-    t_1 = tau*log(1 - v_2*(exp((-t_m + t)/tau) - 1)/v) + t_m
+    t_1 = tau*log(1 - v_2*(-exp((t_h - t_m)/tau) + exp((-t_m + t)/tau))/v) + t_m
 
     Parameters
     ----------
@@ -143,9 +151,11 @@ def earlier_time_maxwell(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -163,8 +173,9 @@ def earlier_time_maxwell(
 
     Notes
     -----
-    Valid for small slopes, a ramp up to t_m and then a constant speed back, so that the contact has one
-    maximum, and no adhesion. Negative or NaN times give NaN. Handbook: polynomial.vis.earlier_mx.
+    Valid for small slopes, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back,
+    so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to t_m it is t,
+    and t_m while the depth is held. Handbook: polynomial.vis.earlier_mx.
 
     References
     ----------
@@ -173,27 +184,32 @@ def earlier_time_maxwell(
     Examples
     --------
     >>> from axicontact.viscoelastic import polynomial
-    >>> value = polynomial.earlier_time_maxwell(1.0, v=0.2, v_2=0.05, t_m=0.9, E=1.0, tau=2.0)
+    >>> value = polynomial.earlier_time_maxwell(1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, tau=2.0)
     >>> round(value, 6)
-    0.874199
+    0.772867
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, relaxation=tau)
-    return elementwise(_earlier_time_maxwell, t, v=v, v_2=v_2, t_m=t_m, E=E, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, relaxation=tau)
+    return elementwise(_earlier_time_maxwell, t, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, tau=tau)
 
 
-def contact_time_maxwell(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, tau: ArrayLike) -> Result:
+def contact_time_maxwell(
+    *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, t_h: ArrayLike | None = None, E: ArrayLike, tau: ArrayLike
+) -> Result:
     """Time at which the contact with a Maxwell fluid ends on the way back.
 
-    t_c = tau*log(v*(1 - exp(-t_m/tau))/v_2 + 1) + t_m
+    t_c = tau*log(v*(exp(t_m/tau) - 1)*exp(-t_h/tau)/v_2 + 1) + t_h
 
     Parameters
     ----------
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -211,8 +227,8 @@ def contact_time_maxwell(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: Arr
 
     Notes
     -----
-    Valid for small slopes, a ramp up to t_m and then a constant speed back, so that the contact has one
-    maximum, and no adhesion. Handbook: polynomial.vis.end_mx.
+    Valid for small slopes, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back,
+    so that the contact has one maximum, and no adhesion. Handbook: polynomial.vis.end_mx.
 
     References
     ----------
@@ -221,18 +237,27 @@ def contact_time_maxwell(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: Arr
     Examples
     --------
     >>> from axicontact.viscoelastic import polynomial
-    >>> value = polynomial.contact_time_maxwell(v=0.2, v_2=0.05, t_m=0.9, E=1.0, tau=2.0)
+    >>> value = polynomial.contact_time_maxwell(v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, tau=2.0)
     >>> round(value, 6)
-    2.691758
+    2.525772
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, relaxation=tau)
-    return elementwise(_contact_time_maxwell, v=v, v_2=v_2, t_m=t_m, E=E, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, relaxation=tau)
+    return elementwise(_contact_time_maxwell, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, tau=tau)
 
 
 def retract_force_maxwell(
-    t: ArrayLike, *, A: ArrayLike, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, tau: ArrayLike
+    t: ArrayLike,
+    *,
+    A: ArrayLike,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    tau: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a Maxwell fluid, pressed in at v until t_m, then back at v_2.
+    """Normal force at time t on a Maxwell fluid, pressed in at v until t_m, from t_h on back at v_2.
 
     F = 2*v*Integral(-E*tau*(1 - exp(-(-t_1 + t)/tau)) + E*tau*(1 - exp(-(t -
     sqrt(pi)*Sum(x**j*gamma(j/2 + 1)*A[j]/gamma((j + 1)/2), (j, 1, N))/v)/tau)), (x, 0, a))
@@ -246,9 +271,11 @@ def retract_force_maxwell(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -266,11 +293,11 @@ def retract_force_maxwell(
 
     Notes
     -----
-    Valid for small slopes, a ramp up to t_m and then a constant speed back, so that the contact has one
-    maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_maxwell; up to t_m it
-    is t, and the force that of the ramp. Here a is the contact radius of the elastic contact at the depth v
-    t_1: a from sqrt(pi)*Sum(a**j*gamma(j/2 + 1)*A[j]/gamma((j + 1)/2), (j, 1, N)) = d. Handbook:
-    polynomial.vis.retract_mx.
+    Valid for small slopes, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back,
+    so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
+    earlier_time_maxwell; up to t_m it is t, and the force that of the ramp. Here a is the contact radius of
+    the elastic contact at the depth v t_1: a from sqrt(pi)*Sum(a**j*gamma(j/2 + 1)*A[j]/gamma((j + 1)/2), (j,
+    1, N)) = d. Handbook: polynomial.vis.retract_mx.
 
     References
     ----------
@@ -279,19 +306,30 @@ def retract_force_maxwell(
     Examples
     --------
     >>> from axicontact.viscoelastic import polynomial
-    >>> value = polynomial.retract_force_maxwell(1.0, A=(0.1, 0.25, 0.05), v=0.2, v_2=0.05, t_m=0.9, E=1.0, tau=2.0)
+    >>> value = polynomial.retract_force_maxwell(
+    ...     1.0, A=(0.1, 0.25, 0.05), v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, tau=2.0
+    ... )
     >>> round(value, 6)
-    0.074514
+    0.05882
     """
+    t_h = require_hold(t_m, t_h)
     A = require_coefficients(A)
-    require(v=v, v_2=v_2, t_m=t_m, E=E, relaxation=tau)
-    return elementwise(partial(_retract_force_maxwell, A=A), t, v=v, v_2=v_2, t_m=t_m, E=E, tau=tau)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, relaxation=tau)
+    return elementwise(partial(_retract_force_maxwell, A=A), t, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, tau=tau)
 
 
 def retract_radius_maxwell(
-    t: ArrayLike, *, A: ArrayLike, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, tau: ArrayLike
+    t: ArrayLike,
+    *,
+    A: ArrayLike,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    tau: ArrayLike,
 ) -> Result:
-    """Contact radius at time t on a Maxwell fluid, pressed in at v until t_m, then back at v_2.
+    """Contact radius at time t on a Maxwell fluid, pressed in at v until t_m, from t_h on back at v_2.
 
     a from sqrt(pi)*Sum(a**j*gamma(j/2 + 1)*A[j]/gamma((j + 1)/2), (j, 1, N)) = t_1*v
 
@@ -304,9 +342,11 @@ def retract_radius_maxwell(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -324,9 +364,10 @@ def retract_radius_maxwell(
 
     Notes
     -----
-    Valid for small slopes, a ramp up to t_m and then a constant speed back, so that the contact has one
-    maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_maxwell; up to t_m it
-    is t, and the force that of the ramp. Handbook: polynomial.vis.radius_mx.
+    Valid for small slopes, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back,
+    so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
+    earlier_time_maxwell; up to t_m it is t, and the force that of the ramp. Handbook:
+    polynomial.vis.radius_mx.
 
     References
     ----------
@@ -336,14 +377,15 @@ def retract_radius_maxwell(
     --------
     >>> from axicontact.viscoelastic import polynomial
     >>> value = polynomial.retract_radius_maxwell(
-    ...     1.0, A=(0.1, 0.25, 0.05), v=0.2, v_2=0.05, t_m=0.9, E=1.0, tau=2.0
+    ...     1.0, A=(0.1, 0.25, 0.05), v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, tau=2.0
     ... )
     >>> round(value, 6)
-    0.438328
+    0.406799
     """
+    t_h = require_hold(t_m, t_h)
     A = require_coefficients(A)
-    require(v=v, v_2=v_2, t_m=t_m, E=E, relaxation=tau)
-    return elementwise(partial(_retract_radius_maxwell, A=A), t, v=v, v_2=v_2, t_m=t_m, E=E, tau=tau)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, relaxation=tau)
+    return elementwise(partial(_retract_radius_maxwell, A=A), t, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, tau=tau)
 
 
 def step_force_maxwell(t: ArrayLike, *, d: ArrayLike, A: ArrayLike, E: ArrayLike, tau: ArrayLike) -> Result:
@@ -498,11 +540,18 @@ def ramp_force_kelvin_voigt(t: ArrayLike, *, A: ArrayLike, v: ArrayLike, E: Arra
 
 
 def earlier_time_kelvin_voigt(
-    t: ArrayLike, *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, eta: ArrayLike
+    t: ArrayLike,
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    eta: ArrayLike,
 ) -> Result:
     """Time before t at which the contact was as large on a Kelvin-Voigt solid; zero after its end.
 
-    t_1 = t_m - v_2*(-t_m + t + eta/E)/v
+    t_1 = t_m - v_2*(-t_h + t + eta/E)/v
 
     Parameters
     ----------
@@ -511,9 +560,11 @@ def earlier_time_kelvin_voigt(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -531,8 +582,9 @@ def earlier_time_kelvin_voigt(
 
     Notes
     -----
-    Valid for small slopes, a ramp up to t_m and then a constant speed back, so that the contact has one
-    maximum, and no adhesion. Negative or NaN times give NaN. Handbook: polynomial.vis.earlier_kv.
+    Valid for small slopes, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back,
+    so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to t_m it is t,
+    and t_m while the depth is held. Handbook: polynomial.vis.earlier_kv.
 
     References
     ----------
@@ -541,27 +593,32 @@ def earlier_time_kelvin_voigt(
     Examples
     --------
     >>> from axicontact.viscoelastic import polynomial
-    >>> value = polynomial.earlier_time_kelvin_voigt(1.0, v=0.2, v_2=0.05, t_m=0.9, E=1.0, eta=1.5)
+    >>> value = polynomial.earlier_time_kelvin_voigt(1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, eta=1.5)
     >>> round(value, 6)
-    0.5
+    0.4
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
-    return elementwise(_earlier_time_kelvin_voigt, t, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
+    return elementwise(_earlier_time_kelvin_voigt, t, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
 
 
-def contact_time_kelvin_voigt(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, eta: ArrayLike) -> Result:
+def contact_time_kelvin_voigt(
+    *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, t_h: ArrayLike | None = None, E: ArrayLike, eta: ArrayLike
+) -> Result:
     """Time at which the contact with a Kelvin-Voigt solid ends on the way back.
 
-    t_c = t_m*v/v_2 + t_m - eta/E
+    t_c = t_h + t_m*v/v_2 - eta/E
 
     Parameters
     ----------
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -579,8 +636,8 @@ def contact_time_kelvin_voigt(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E
 
     Notes
     -----
-    Valid for small slopes, a ramp up to t_m and then a constant speed back, so that the contact has one
-    maximum, and no adhesion. Handbook: polynomial.vis.end_kv.
+    Valid for small slopes, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back,
+    so that the contact has one maximum, and no adhesion. Handbook: polynomial.vis.end_kv.
 
     References
     ----------
@@ -589,18 +646,27 @@ def contact_time_kelvin_voigt(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E
     Examples
     --------
     >>> from axicontact.viscoelastic import polynomial
-    >>> value = polynomial.contact_time_kelvin_voigt(v=0.2, v_2=0.05, t_m=0.9, E=1.0, eta=1.5)
+    >>> value = polynomial.contact_time_kelvin_voigt(v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, eta=1.5)
     >>> round(value, 6)
-    3.0
+    2.6
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
-    return elementwise(_contact_time_kelvin_voigt, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
+    return elementwise(_contact_time_kelvin_voigt, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
 
 
 def retract_force_kelvin_voigt(
-    t: ArrayLike, *, A: ArrayLike, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, eta: ArrayLike
+    t: ArrayLike,
+    *,
+    A: ArrayLike,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    eta: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a Kelvin-Voigt solid, pressed in at v until t_m, then back at v_2.
+    """Normal force at time t on a Kelvin-Voigt solid, pressed in at v until t_m, from t_h on back at v_2.
 
     F = 2*sqrt(pi)*E*Sum(a**(j + 1)*j*gamma(j/2 + 1)*A[j]/((j + 1)*gamma((j + 1)/2)), (j, 1, N))
 
@@ -613,9 +679,11 @@ def retract_force_kelvin_voigt(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -633,11 +701,11 @@ def retract_force_kelvin_voigt(
 
     Notes
     -----
-    Valid for small slopes, a ramp up to t_m and then a constant speed back, so that the contact has one
-    maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_kelvin_voigt; up to t_m
-    it is t, and the force that of the ramp. Here a is the contact radius of the elastic contact at the depth
-    v t_1: a from sqrt(pi)*Sum(a**j*gamma(j/2 + 1)*A[j]/gamma((j + 1)/2), (j, 1, N)) = d. Handbook:
-    polynomial.vis.retract_kv.
+    Valid for small slopes, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back,
+    so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
+    earlier_time_kelvin_voigt; up to t_m it is t, and the force that of the ramp. Here a is the contact radius
+    of the elastic contact at the depth v t_1: a from sqrt(pi)*Sum(a**j*gamma(j/2 + 1)*A[j]/gamma((j + 1)/2),
+    (j, 1, N)) = d. Handbook: polynomial.vis.retract_kv.
 
     References
     ----------
@@ -647,20 +715,29 @@ def retract_force_kelvin_voigt(
     --------
     >>> from axicontact.viscoelastic import polynomial
     >>> value = polynomial.retract_force_kelvin_voigt(
-    ...     1.0, A=(0.1, 0.25, 0.05), v=0.2, v_2=0.05, t_m=0.9, E=1.0, eta=1.5
+    ...     1.0, A=(0.1, 0.25, 0.05), v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, eta=1.5
     ... )
     >>> round(value, 6)
-    0.03643
+    0.024878
     """
+    t_h = require_hold(t_m, t_h)
     A = require_coefficients(A)
-    require(v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
-    return elementwise(partial(_retract_force_kelvin_voigt, A=A), t, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
+    return elementwise(partial(_retract_force_kelvin_voigt, A=A), t, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
 
 
 def retract_radius_kelvin_voigt(
-    t: ArrayLike, *, A: ArrayLike, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, eta: ArrayLike
+    t: ArrayLike,
+    *,
+    A: ArrayLike,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    eta: ArrayLike,
 ) -> Result:
-    """Contact radius at time t on a Kelvin-Voigt solid, pressed in at v until t_m, then back at v_2.
+    """Contact radius at time t on a Kelvin-Voigt solid, pressed in at v until t_m, from t_h on back at v_2.
 
     a from sqrt(pi)*Sum(a**j*gamma(j/2 + 1)*A[j]/gamma((j + 1)/2), (j, 1, N)) = t_1*v
 
@@ -673,9 +750,11 @@ def retract_radius_kelvin_voigt(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -693,9 +772,10 @@ def retract_radius_kelvin_voigt(
 
     Notes
     -----
-    Valid for small slopes, a ramp up to t_m and then a constant speed back, so that the contact has one
-    maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_kelvin_voigt; up to t_m
-    it is t, and the force that of the ramp. Handbook: polynomial.vis.radius_kv.
+    Valid for small slopes, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back,
+    so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
+    earlier_time_kelvin_voigt; up to t_m it is t, and the force that of the ramp. Handbook:
+    polynomial.vis.radius_kv.
 
     References
     ----------
@@ -705,14 +785,15 @@ def retract_radius_kelvin_voigt(
     --------
     >>> from axicontact.viscoelastic import polynomial
     >>> value = polynomial.retract_radius_kelvin_voigt(
-    ...     1.0, A=(0.1, 0.25, 0.05), v=0.2, v_2=0.05, t_m=0.9, E=1.0, eta=1.5
+    ...     1.0, A=(0.1, 0.25, 0.05), v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, eta=1.5
     ... )
     >>> round(value, 6)
-    0.309492
+    0.267384
     """
+    t_h = require_hold(t_m, t_h)
     A = require_coefficients(A)
-    require(v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
-    return elementwise(partial(_retract_radius_kelvin_voigt, A=A), t, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
+    return elementwise(partial(_retract_radius_kelvin_voigt, A=A), t, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
 
 
 def step_force_kelvin_voigt(t: ArrayLike, *, d: ArrayLike, A: ArrayLike, E: ArrayLike, eta: ArrayLike) -> Result:
@@ -872,12 +953,21 @@ def ramp_force_standard_solid(
 
 
 def earlier_time_standard_solid(
-    t: ArrayLike, *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E_inf: ArrayLike, E_1: ArrayLike, tau: ArrayLike
+    t: ArrayLike,
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E_inf: ArrayLike,
+    E_1: ArrayLike,
+    tau: ArrayLike,
 ) -> Result:
     """Time before t at which the contact was as large on a standard solid; zero after its end.
 
-    t_1 from E_1*tau*(1 - exp(-(-t_1 + t)/tau)) + E_inf*(-t_1 + t) = (1 +
-    v_2/v)*(E_1*tau*(1 - exp(-(-t_m + t)/tau)) + E_inf*(-t_m + t))
+    t_1 from E_1*tau*(1 - exp(-(-t_1 + t)/tau)) + E_inf*(-t_1 + t) = E_1*tau*(1 -
+    exp(-(-t_m + t)/tau)) + E_inf*(-t_m + t) + v_2*(E_1*tau*(1 - exp(-(-t_h +
+    t)/tau)) + E_inf*(-t_h + t))/v
 
     Parameters
     ----------
@@ -886,9 +976,11 @@ def earlier_time_standard_solid(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -908,8 +1000,9 @@ def earlier_time_standard_solid(
 
     Notes
     -----
-    Valid for small slopes, a ramp up to t_m and then a constant speed back, so that the contact has one
-    maximum, and no adhesion. Negative or NaN times give NaN. Handbook: polynomial.vis.earlier_sls.
+    Valid for small slopes, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back,
+    so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to t_m it is t,
+    and t_m while the depth is held. Handbook: polynomial.vis.earlier_sls.
 
     References
     ----------
@@ -918,30 +1011,43 @@ def earlier_time_standard_solid(
     Examples
     --------
     >>> from axicontact.viscoelastic import polynomial
-    >>> value = polynomial.earlier_time_standard_solid(1.0, v=0.2, v_2=0.05, t_m=0.9, E_inf=0.4, E_1=0.6, tau=2.0)
+    >>> value = polynomial.earlier_time_standard_solid(
+    ...     1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E_inf=0.4, E_1=0.6, tau=2.0
+    ... )
     >>> round(value, 6)
-    0.874531
+    0.773779
     """
-    require(v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, relaxation=tau)
-    return elementwise(_earlier_time_standard_solid, t, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, relaxation=tau)
+    return elementwise(_earlier_time_standard_solid, t, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, tau=tau)
 
 
 def contact_time_standard_solid(
-    *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E_inf: ArrayLike, E_1: ArrayLike, tau: ArrayLike
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E_inf: ArrayLike,
+    E_1: ArrayLike,
+    tau: ArrayLike,
 ) -> Result:
     """Time at which the contact with a standard solid ends on the way back.
 
-    t_c from E_1*tau*(1 - exp(-t_c/tau)) + E_inf*t_c = (1 + v_2/v)*(E_1*tau*(1 -
-    exp(-(t_c - t_m)/tau)) + E_inf*(t_c - t_m))
+    t_c from E_1*tau*(1 - exp(-t_c/tau)) + E_inf*t_c = E_1*tau*(1 - exp(-(t_c -
+    t_m)/tau)) + E_inf*(t_c - t_m) + v_2*(E_1*tau*(1 - exp(-(t_c - t_h)/tau)) +
+    E_inf*(t_c - t_h))/v
 
     Parameters
     ----------
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -961,8 +1067,8 @@ def contact_time_standard_solid(
 
     Notes
     -----
-    Valid for small slopes, a ramp up to t_m and then a constant speed back, so that the contact has one
-    maximum, and no adhesion. Handbook: polynomial.vis.end_sls.
+    Valid for small slopes, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back,
+    so that the contact has one maximum, and no adhesion. Handbook: polynomial.vis.end_sls.
 
     References
     ----------
@@ -971,12 +1077,15 @@ def contact_time_standard_solid(
     Examples
     --------
     >>> from axicontact.viscoelastic import polynomial
-    >>> value = polynomial.contact_time_standard_solid(v=0.2, v_2=0.05, t_m=0.9, E_inf=0.4, E_1=0.6, tau=2.0)
+    >>> value = polynomial.contact_time_standard_solid(
+    ...     v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E_inf=0.4, E_1=0.6, tau=2.0
+    ... )
     >>> round(value, 6)
-    3.501344
+    3.220085
     """
-    require(v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, relaxation=tau)
-    return elementwise(_contact_time_standard_solid, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, relaxation=tau)
+    return elementwise(_contact_time_standard_solid, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, tau=tau)
 
 
 def retract_force_standard_solid(
@@ -986,11 +1095,12 @@ def retract_force_standard_solid(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E_inf: ArrayLike,
     E_1: ArrayLike,
     tau: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a standard solid, pressed in at v until t_m, then back at v_2.
+    """Normal force at time t on a standard solid, pressed in at v until t_m, from t_h on back at v_2.
 
     F = 2*v*Integral(-E_1*tau*(1 - exp(-(-t_1 + t)/tau)) + E_1*tau*(1 - exp(-(t -
     sqrt(pi)*Sum(x**j*gamma(j/2 + 1)*A[j]/gamma((j + 1)/2), (j, 1, N))/v)/tau)) - E_inf*(-t_1 + t) +
@@ -1005,9 +1115,11 @@ def retract_force_standard_solid(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -1027,11 +1139,11 @@ def retract_force_standard_solid(
 
     Notes
     -----
-    Valid for small slopes, a ramp up to t_m and then a constant speed back, so that the contact has one
-    maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_standard_solid; up to
-    t_m it is t, and the force that of the ramp. Here a is the contact radius of the elastic contact at the
-    depth v t_1: a from sqrt(pi)*Sum(a**j*gamma(j/2 + 1)*A[j]/gamma((j + 1)/2), (j, 1, N)) = d. Handbook:
-    polynomial.vis.retract_sls.
+    Valid for small slopes, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back,
+    so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
+    earlier_time_standard_solid; up to t_m it is t, and the force that of the ramp. Here a is the contact
+    radius of the elastic contact at the depth v t_1: a from sqrt(pi)*Sum(a**j*gamma(j/2 + 1)*A[j]/gamma((j +
+    1)/2), (j, 1, N)) = d. Handbook: polynomial.vis.retract_sls.
 
     References
     ----------
@@ -1041,15 +1153,16 @@ def retract_force_standard_solid(
     --------
     >>> from axicontact.viscoelastic import polynomial
     >>> value = polynomial.retract_force_standard_solid(
-    ...     1.0, A=(0.1, 0.25, 0.05), v=0.2, v_2=0.05, t_m=0.9, E_inf=0.4, E_1=0.6, tau=2.0
+    ...     1.0, A=(0.1, 0.25, 0.05), v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E_inf=0.4, E_1=0.6, tau=2.0
     ... )
     >>> round(value, 6)
-    0.081904
+    0.065716
     """
+    t_h = require_hold(t_m, t_h)
     A = require_coefficients(A)
-    require(v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, relaxation=tau)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, relaxation=tau)
     return elementwise(
-        partial(_retract_force_standard_solid, A=A), t, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, tau=tau
+        partial(_retract_force_standard_solid, A=A), t, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, tau=tau
     )
 
 
@@ -1060,11 +1173,12 @@ def retract_radius_standard_solid(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E_inf: ArrayLike,
     E_1: ArrayLike,
     tau: ArrayLike,
 ) -> Result:
-    """Contact radius at time t on a standard solid, pressed in at v until t_m, then back at v_2.
+    """Contact radius at time t on a standard solid, pressed in at v until t_m, from t_h on back at v_2.
 
     a from sqrt(pi)*Sum(a**j*gamma(j/2 + 1)*A[j]/gamma((j + 1)/2), (j, 1, N)) = t_1*v
 
@@ -1077,9 +1191,11 @@ def retract_radius_standard_solid(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -1099,9 +1215,10 @@ def retract_radius_standard_solid(
 
     Notes
     -----
-    Valid for small slopes, a ramp up to t_m and then a constant speed back, so that the contact has one
-    maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_standard_solid; up to
-    t_m it is t, and the force that of the ramp. Handbook: polynomial.vis.radius_sls.
+    Valid for small slopes, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back,
+    so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
+    earlier_time_standard_solid; up to t_m it is t, and the force that of the ramp. Handbook:
+    polynomial.vis.radius_sls.
 
     References
     ----------
@@ -1111,15 +1228,16 @@ def retract_radius_standard_solid(
     --------
     >>> from axicontact.viscoelastic import polynomial
     >>> value = polynomial.retract_radius_standard_solid(
-    ...     1.0, A=(0.1, 0.25, 0.05), v=0.2, v_2=0.05, t_m=0.9, E_inf=0.4, E_1=0.6, tau=2.0
+    ...     1.0, A=(0.1, 0.25, 0.05), v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E_inf=0.4, E_1=0.6, tau=2.0
     ... )
     >>> round(value, 6)
-    0.438428
+    0.407092
     """
+    t_h = require_hold(t_m, t_h)
     A = require_coefficients(A)
-    require(v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, relaxation=tau)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, relaxation=tau)
     return elementwise(
-        partial(_retract_radius_standard_solid, A=A), t, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, tau=tau
+        partial(_retract_radius_standard_solid, A=A), t, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, tau=tau
     )
 
 
@@ -1290,11 +1408,19 @@ def ramp_force_power_creep(
 
 
 def earlier_time_power_creep(
-    t: ArrayLike, *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, alpha: ArrayLike, t_0: ArrayLike
+    t: ArrayLike,
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    alpha: ArrayLike,
+    t_0: ArrayLike,
 ) -> Result:
     """Time before t at which the contact was as large on a material of power-law creep; zero after its end.
 
-    t_1 = t - (1 + v_2/v)**(1/(1 - alpha))*(-t_m + t)
+    t_1 = t - (1 + v_2*((-t_m + t)/(-t_h + t))**(alpha - 1)/v)**(1/(1 - alpha))*(-t_m + t)
 
     Parameters
     ----------
@@ -1303,9 +1429,11 @@ def earlier_time_power_creep(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1325,8 +1453,9 @@ def earlier_time_power_creep(
 
     Notes
     -----
-    Valid for small slopes, a ramp up to t_m and then a constant speed back, so that the contact has one
-    maximum, and no adhesion. Negative or NaN times give NaN. Handbook: polynomial.vis.earlier_pc.
+    Valid for small slopes, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back,
+    so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to t_m it is t,
+    and t_m while the depth is held. Handbook: polynomial.vis.earlier_pc.
 
     References
     ----------
@@ -1335,29 +1464,43 @@ def earlier_time_power_creep(
     Examples
     --------
     >>> from axicontact.viscoelastic import polynomial
-    >>> value = polynomial.earlier_time_power_creep(1.0, v=0.2, v_2=0.05, t_m=0.9, E=1.0, alpha=0.25, t_0=1.0)
+    >>> value = polynomial.earlier_time_power_creep(
+    ...     1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, alpha=0.25, t_0=1.0
+    ... )
     >>> round(value, 6)
-    0.865348
+    0.759408
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
-    return elementwise(_earlier_time_power_creep, t, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
+    return elementwise(_earlier_time_power_creep, t, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
 
 
 def contact_time_power_creep(
-    *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, alpha: ArrayLike, t_0: ArrayLike
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    alpha: ArrayLike,
+    t_0: ArrayLike,
 ) -> Result:
     """Time at which the contact with a material of power-law creep ends on the way back.
 
-    t_c = t_m + t_m/((1 + v_2/v)**(1/(1 - alpha)) - 1)
+    t_c from E*t_0**alpha*t_c**(1 - alpha)/((1 - alpha)*gamma(1 - alpha)*gamma(alpha + 1)) = E*t_0**alpha*(t_c
+    - t_m)**(1 - alpha)/((1 - alpha)*gamma(1 - alpha)*gamma(alpha + 1)) + E*t_0**alpha*v_2*(t_c - t_h)**(1 -
+    alpha)/(v*(1 - alpha)*gamma(1 - alpha)*gamma(alpha + 1))
 
     Parameters
     ----------
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1377,8 +1520,8 @@ def contact_time_power_creep(
 
     Notes
     -----
-    Valid for small slopes, a ramp up to t_m and then a constant speed back, so that the contact has one
-    maximum, and no adhesion. Handbook: polynomial.vis.end_pc.
+    Valid for small slopes, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back,
+    so that the contact has one maximum, and no adhesion. Handbook: polynomial.vis.end_pc.
 
     References
     ----------
@@ -1387,12 +1530,13 @@ def contact_time_power_creep(
     Examples
     --------
     >>> from axicontact.viscoelastic import polynomial
-    >>> value = polynomial.contact_time_power_creep(v=0.2, v_2=0.05, t_m=0.9, E=1.0, alpha=0.25, t_0=1.0)
+    >>> value = polynomial.contact_time_power_creep(v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, alpha=0.25, t_0=1.0)
     >>> round(value, 6)
-    3.49724
+    3.186706
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
-    return elementwise(_contact_time_power_creep, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
+    return elementwise(_contact_time_power_creep, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
 
 
 def retract_force_power_creep(
@@ -1402,11 +1546,12 @@ def retract_force_power_creep(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E: ArrayLike,
     alpha: ArrayLike,
     t_0: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a material of power-law creep, pressed in at v until t_m, then back at v_2.
+    """Normal force at time t on a material of power-law creep, pressed in at v until t_m, from t_h on back at v_2.
 
     F = 2*v*Integral(-E*t_0**alpha*(-t_1 + t)**(1 - alpha)/((1 - alpha)*gamma(1 - alpha)*gamma(alpha + 1))
     + E*t_0**alpha*(t - sqrt(pi)*Sum(x**j*gamma(j/2 + 1)*A[j]/gamma((j + 1)/2), (j, 1, N))/v)**(1 -
@@ -1421,9 +1566,11 @@ def retract_force_power_creep(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1443,11 +1590,11 @@ def retract_force_power_creep(
 
     Notes
     -----
-    Valid for small slopes, a ramp up to t_m and then a constant speed back, so that the contact has one
-    maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_power_creep; up to t_m
-    it is t, and the force that of the ramp. Here a is the contact radius of the elastic contact at the depth
-    v t_1: a from sqrt(pi)*Sum(a**j*gamma(j/2 + 1)*A[j]/gamma((j + 1)/2), (j, 1, N)) = d. Handbook:
-    polynomial.vis.retract_pc.
+    Valid for small slopes, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back,
+    so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
+    earlier_time_power_creep; up to t_m it is t, and the force that of the ramp. Here a is the contact radius
+    of the elastic contact at the depth v t_1: a from sqrt(pi)*Sum(a**j*gamma(j/2 + 1)*A[j]/gamma((j + 1)/2),
+    (j, 1, N)) = d. Handbook: polynomial.vis.retract_pc.
 
     References
     ----------
@@ -1457,14 +1604,17 @@ def retract_force_power_creep(
     --------
     >>> from axicontact.viscoelastic import polynomial
     >>> value = polynomial.retract_force_power_creep(
-    ...     1.0, A=(0.1, 0.25, 0.05), v=0.2, v_2=0.05, t_m=0.9, E=1.0, alpha=0.25, t_0=1.0
+    ...     1.0, A=(0.1, 0.25, 0.05), v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, alpha=0.25, t_0=1.0
     ... )
     >>> round(value, 6)
-    0.103968
+    0.079538
     """
+    t_h = require_hold(t_m, t_h)
     A = require_coefficients(A)
-    require(v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
-    return elementwise(partial(_retract_force_power_creep, A=A), t, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
+    return elementwise(
+        partial(_retract_force_power_creep, A=A), t, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0
+    )
 
 
 def retract_radius_power_creep(
@@ -1474,11 +1624,12 @@ def retract_radius_power_creep(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E: ArrayLike,
     alpha: ArrayLike,
     t_0: ArrayLike,
 ) -> Result:
-    """Contact radius at time t on a material of power-law creep, pressed in at v until t_m, then back at v_2.
+    """Contact radius at time t on a material of power-law creep, pressed in at v until t_m, from t_h on back at v_2.
 
     a from sqrt(pi)*Sum(a**j*gamma(j/2 + 1)*A[j]/gamma((j + 1)/2), (j, 1, N)) = t_1*v
 
@@ -1491,9 +1642,11 @@ def retract_radius_power_creep(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1513,9 +1666,10 @@ def retract_radius_power_creep(
 
     Notes
     -----
-    Valid for small slopes, a ramp up to t_m and then a constant speed back, so that the contact has one
-    maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_power_creep; up to t_m
-    it is t, and the force that of the ramp. Handbook: polynomial.vis.radius_pc.
+    Valid for small slopes, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back,
+    so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
+    earlier_time_power_creep; up to t_m it is t, and the force that of the ramp. Handbook:
+    polynomial.vis.radius_pc.
 
     References
     ----------
@@ -1525,14 +1679,17 @@ def retract_radius_power_creep(
     --------
     >>> from axicontact.viscoelastic import polynomial
     >>> value = polynomial.retract_radius_power_creep(
-    ...     1.0, A=(0.1, 0.25, 0.05), v=0.2, v_2=0.05, t_m=0.9, E=1.0, alpha=0.25, t_0=1.0
+    ...     1.0, A=(0.1, 0.25, 0.05), v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, alpha=0.25, t_0=1.0
     ... )
     >>> round(value, 6)
-    0.435652
+    0.402454
     """
+    t_h = require_hold(t_m, t_h)
     A = require_coefficients(A)
-    require(v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
-    return elementwise(partial(_retract_radius_power_creep, A=A), t, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
+    return elementwise(
+        partial(_retract_radius_power_creep, A=A), t, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0
+    )
 
 
 def step_force_power_creep(
@@ -1666,28 +1823,28 @@ def _step_load_radius_maxwell(t: Array, F: Array, A: tuple[float, ...], E: Array
     return normal._radius_from_force(F * creep_maxwell(t, E, tau), A, 1.0)
 
 
-def _earlier_time_maxwell(t: Array, v: Array, v_2: Array, t_m: Array, E: Array, tau: Array) -> Array:
-    return earlier(t, t_m, lag_maxwell(t, t_m, v_2 / v, E, tau))
+def _earlier_time_maxwell(t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, tau: Array) -> Array:
+    return earlier(t, t_m, lag_maxwell(t, t_m, t_h, v_2 / v, E, tau))
 
 
 def _retract_radius_maxwell(
-    t: Array, v: Array, v_2: Array, t_m: Array, A: tuple[float, ...], E: Array, tau: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, A: tuple[float, ...], E: Array, tau: Array
 ) -> Array:
-    t_1 = earlier(t, t_m, lag_maxwell(t, t_m, v_2 / v, E, tau))
+    t_1 = earlier(t, t_m, lag_maxwell(t, t_m, t_h, v_2 / v, E, tau))
     return np.where(t_1 <= 0.0, 0.0, normal._radius_from_depth(v * t_1, A))
 
 
 def _retract_force_maxwell(
-    t: Array, v: Array, v_2: Array, t_m: Array, A: tuple[float, ...], E: Array, tau: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, A: tuple[float, ...], E: Array, tau: Array
 ) -> Array:
-    lag = lag_maxwell(t, t_m, v_2 / v, E, tau)
+    lag = lag_maxwell(t, t_m, t_h, v_2 / v, E, tau)
     t_1 = earlier(t, t_m, lag)
     since = np.where(t > t_m, passed(t, t_m, lag), 0.0)
     return np.where(t_1 > 0.0, _pressed_maxwell(t_1, since, v, A, E, tau), 0.0)
 
 
-def _contact_time_maxwell(v: Array, v_2: Array, t_m: Array, E: Array, tau: Array) -> Array:
-    return end_maxwell(v_2 / v, t_m, E, tau)
+def _contact_time_maxwell(v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, tau: Array) -> Array:
+    return end_maxwell(v_2 / v, t_m, t_h, E, tau)
 
 
 def _ramp_force_kelvin_voigt(t: Array, v: Array, A: tuple[float, ...], E: Array, eta: Array) -> Array:
@@ -1702,28 +1859,28 @@ def _step_load_radius_kelvin_voigt(t: Array, F: Array, A: tuple[float, ...], E: 
     return normal._radius_from_force(F * creep_kelvin_voigt(t, E, eta), A, 1.0)
 
 
-def _earlier_time_kelvin_voigt(t: Array, v: Array, v_2: Array, t_m: Array, E: Array, eta: Array) -> Array:
-    return earlier(t, t_m, lag_kelvin_voigt(t, t_m, v_2 / v, E, eta))
+def _earlier_time_kelvin_voigt(t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, eta: Array) -> Array:
+    return earlier(t, t_m, lag_kelvin_voigt(t, t_m, t_h, v_2 / v, E, eta))
 
 
 def _retract_radius_kelvin_voigt(
-    t: Array, v: Array, v_2: Array, t_m: Array, A: tuple[float, ...], E: Array, eta: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, A: tuple[float, ...], E: Array, eta: Array
 ) -> Array:
-    t_1 = earlier(t, t_m, lag_kelvin_voigt(t, t_m, v_2 / v, E, eta))
+    t_1 = earlier(t, t_m, lag_kelvin_voigt(t, t_m, t_h, v_2 / v, E, eta))
     return np.where(t_1 <= 0.0, 0.0, normal._radius_from_depth(v * t_1, A))
 
 
 def _retract_force_kelvin_voigt(
-    t: Array, v: Array, v_2: Array, t_m: Array, A: tuple[float, ...], E: Array, eta: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, A: tuple[float, ...], E: Array, eta: Array
 ) -> Array:
-    lag = lag_kelvin_voigt(t, t_m, v_2 / v, E, eta)
+    lag = lag_kelvin_voigt(t, t_m, t_h, v_2 / v, E, eta)
     t_1 = earlier(t, t_m, lag)
     back = normal._force_from_depth(v * t_1, A, 1.0) * E
     return np.where(t > t_m, np.where(t_1 > 0.0, back, 0.0), _ramp_force_kelvin_voigt(t, v, A, E, eta))
 
 
-def _contact_time_kelvin_voigt(v: Array, v_2: Array, t_m: Array, E: Array, eta: Array) -> Array:
-    return end_kelvin_voigt(v_2 / v, t_m, E, eta)
+def _contact_time_kelvin_voigt(v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, eta: Array) -> Array:
+    return end_kelvin_voigt(v_2 / v, t_m, t_h, E, eta)
 
 
 def _pressed_standard_solid(
@@ -1753,29 +1910,31 @@ def _step_load_radius_standard_solid(
 
 
 def _earlier_time_standard_solid(
-    t: Array, v: Array, v_2: Array, t_m: Array, E_inf: Array, E_1: Array, tau: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, E_inf: Array, E_1: Array, tau: Array
 ) -> Array:
-    return earlier(t, t_m, lag_standard_solid(t, t_m, v_2 / v, E_inf, E_1, tau))
+    return earlier(t, t_m, lag_standard_solid(t, t_m, t_h, v_2 / v, E_inf, E_1, tau))
 
 
 def _retract_radius_standard_solid(
-    t: Array, v: Array, v_2: Array, t_m: Array, A: tuple[float, ...], E_inf: Array, E_1: Array, tau: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, A: tuple[float, ...], E_inf: Array, E_1: Array, tau: Array
 ) -> Array:
-    t_1 = earlier(t, t_m, lag_standard_solid(t, t_m, v_2 / v, E_inf, E_1, tau))
+    t_1 = earlier(t, t_m, lag_standard_solid(t, t_m, t_h, v_2 / v, E_inf, E_1, tau))
     return np.where(t_1 <= 0.0, 0.0, normal._radius_from_depth(v * t_1, A))
 
 
 def _retract_force_standard_solid(
-    t: Array, v: Array, v_2: Array, t_m: Array, A: tuple[float, ...], E_inf: Array, E_1: Array, tau: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, A: tuple[float, ...], E_inf: Array, E_1: Array, tau: Array
 ) -> Array:
-    lag = lag_standard_solid(t, t_m, v_2 / v, E_inf, E_1, tau)
+    lag = lag_standard_solid(t, t_m, t_h, v_2 / v, E_inf, E_1, tau)
     t_1 = earlier(t, t_m, lag)
     since = np.where(t > t_m, passed(t, t_m, lag), 0.0)
     return np.where(t_1 > 0.0, _pressed_standard_solid(t_1, since, v, A, E_inf, E_1, tau), 0.0)
 
 
-def _contact_time_standard_solid(v: Array, v_2: Array, t_m: Array, E_inf: Array, E_1: Array, tau: Array) -> Array:
-    return end_standard_solid(v_2 / v, t_m, E_inf, E_1, tau)
+def _contact_time_standard_solid(
+    v: Array, v_2: Array, t_m: Array, t_h: Array, E_inf: Array, E_1: Array, tau: Array
+) -> Array:
+    return end_standard_solid(v_2 / v, t_m, t_h, E_inf, E_1, tau)
 
 
 def _pressed_power_creep(
@@ -1804,25 +1963,29 @@ def _step_load_radius_power_creep(
     return normal._radius_from_force(F * creep_power_creep(t, E, alpha, t_0), A, 1.0)
 
 
-def _earlier_time_power_creep(t: Array, v: Array, v_2: Array, t_m: Array, E: Array, alpha: Array, t_0: Array) -> Array:
-    return earlier(t, t_m, lag_power_creep(t, t_m, v_2 / v, E, alpha, t_0))
+def _earlier_time_power_creep(
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, alpha: Array, t_0: Array
+) -> Array:
+    return earlier(t, t_m, lag_power_creep(t, t_m, t_h, v_2 / v, E, alpha, t_0))
 
 
 def _retract_radius_power_creep(
-    t: Array, v: Array, v_2: Array, t_m: Array, A: tuple[float, ...], E: Array, alpha: Array, t_0: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, A: tuple[float, ...], E: Array, alpha: Array, t_0: Array
 ) -> Array:
-    t_1 = earlier(t, t_m, lag_power_creep(t, t_m, v_2 / v, E, alpha, t_0))
+    t_1 = earlier(t, t_m, lag_power_creep(t, t_m, t_h, v_2 / v, E, alpha, t_0))
     return np.where(t_1 <= 0.0, 0.0, normal._radius_from_depth(v * t_1, A))
 
 
 def _retract_force_power_creep(
-    t: Array, v: Array, v_2: Array, t_m: Array, A: tuple[float, ...], E: Array, alpha: Array, t_0: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, A: tuple[float, ...], E: Array, alpha: Array, t_0: Array
 ) -> Array:
-    lag = lag_power_creep(t, t_m, v_2 / v, E, alpha, t_0)
+    lag = lag_power_creep(t, t_m, t_h, v_2 / v, E, alpha, t_0)
     t_1 = earlier(t, t_m, lag)
     since = np.where(t > t_m, passed(t, t_m, lag), 0.0)
     return np.where(t_1 > 0.0, _pressed_power_creep(t_1, since, v, A, E, alpha, t_0), 0.0)
 
 
-def _contact_time_power_creep(v: Array, v_2: Array, t_m: Array, E: Array, alpha: Array, t_0: Array) -> Array:
-    return end_power_creep(v_2 / v, t_m, E, alpha, t_0)
+def _contact_time_power_creep(
+    v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, alpha: Array, t_0: Array
+) -> Array:
+    return end_power_creep(v_2 / v, t_m, t_h, E, alpha, t_0)

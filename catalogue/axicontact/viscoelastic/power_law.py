@@ -39,6 +39,7 @@ from .._runtime.physics.retraction import (
     lag_power_creep,
     lag_standard_solid,
     passed,
+    require_hold,
 )
 from ..normal import power_law as normal
 
@@ -136,11 +137,18 @@ def ramp_force_maxwell(
 
 
 def earlier_time_maxwell(
-    t: ArrayLike, *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, tau: ArrayLike
+    t: ArrayLike,
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    tau: ArrayLike,
 ) -> Result:
     """Time before t at which the contact was as large on a Maxwell fluid; zero after its end.
 
-    t_1 = tau*log(1 - v_2*(exp((-t_m + t)/tau) - 1)/v) + t_m
+    t_1 = tau*log(1 - v_2*(-exp((t_h - t_m)/tau) + exp((-t_m + t)/tau))/v) + t_m
 
     Parameters
     ----------
@@ -149,9 +157,11 @@ def earlier_time_maxwell(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -169,9 +179,9 @@ def earlier_time_maxwell(
 
     Notes
     -----
-    Valid for small slopes, n A a^(n-1) << 1, a ramp up to t_m and then a constant speed back, so that the
-    contact has one maximum, and no adhesion. Negative or NaN times give NaN. Handbook:
-    power_law.vis.earlier_mx.
+    Valid for small slopes, n A a^(n-1) << 1, a ramp up to t_m, a depth that is held up to t_h and then a
+    constant speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN.
+    Up to t_m it is t, and t_m while the depth is held. Handbook: power_law.vis.earlier_mx.
 
     References
     ----------
@@ -180,27 +190,32 @@ def earlier_time_maxwell(
     Examples
     --------
     >>> from axicontact.viscoelastic import power_law
-    >>> value = power_law.earlier_time_maxwell(1.0, v=0.2, v_2=0.05, t_m=0.9, E=1.0, tau=2.0)
+    >>> value = power_law.earlier_time_maxwell(1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, tau=2.0)
     >>> round(value, 6)
-    0.874199
+    0.772867
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, relaxation=tau)
-    return elementwise(_earlier_time_maxwell, t, v=v, v_2=v_2, t_m=t_m, E=E, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, relaxation=tau)
+    return elementwise(_earlier_time_maxwell, t, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, tau=tau)
 
 
-def contact_time_maxwell(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, tau: ArrayLike) -> Result:
+def contact_time_maxwell(
+    *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, t_h: ArrayLike | None = None, E: ArrayLike, tau: ArrayLike
+) -> Result:
     """Time at which the contact with a Maxwell fluid ends on the way back.
 
-    t_c = tau*log(v*(1 - exp(-t_m/tau))/v_2 + 1) + t_m
+    t_c = tau*log(v*(exp(t_m/tau) - 1)*exp(-t_h/tau)/v_2 + 1) + t_h
 
     Parameters
     ----------
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -218,8 +233,8 @@ def contact_time_maxwell(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: Arr
 
     Notes
     -----
-    Valid for small slopes, n A a^(n-1) << 1, a ramp up to t_m and then a constant speed back, so that the
-    contact has one maximum, and no adhesion. Handbook: power_law.vis.end_mx.
+    Valid for small slopes, n A a^(n-1) << 1, a ramp up to t_m, a depth that is held up to t_h and then a
+    constant speed back, so that the contact has one maximum, and no adhesion. Handbook: power_law.vis.end_mx.
 
     References
     ----------
@@ -228,12 +243,13 @@ def contact_time_maxwell(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: Arr
     Examples
     --------
     >>> from axicontact.viscoelastic import power_law
-    >>> value = power_law.contact_time_maxwell(v=0.2, v_2=0.05, t_m=0.9, E=1.0, tau=2.0)
+    >>> value = power_law.contact_time_maxwell(v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, tau=2.0)
     >>> round(value, 6)
-    2.691758
+    2.525772
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, relaxation=tau)
-    return elementwise(_contact_time_maxwell, v=v, v_2=v_2, t_m=t_m, E=E, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, relaxation=tau)
+    return elementwise(_contact_time_maxwell, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, tau=tau)
 
 
 def retract_force_maxwell(
@@ -244,10 +260,11 @@ def retract_force_maxwell(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E: ArrayLike,
     tau: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a Maxwell fluid, pressed in at v until t_m, then back at v_2.
+    """Normal force at time t on a Maxwell fluid, pressed in at v until t_m, from t_h on back at v_2.
 
     F = 2*sqrt(pi)*A*E*n*(t_1*v*gamma((n + 1)/2)/(sqrt(pi)*A*gamma(n/2 + 1)))**((n + 1)/n)*exp((t_1 -
     t)/tau)*1F1(1, 1 + (n + 1)/n, -t_1/tau)*gamma(n/2 + 1)/((n + 1)*gamma((n + 1)/2))
@@ -264,9 +281,11 @@ def retract_force_maxwell(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -284,9 +303,9 @@ def retract_force_maxwell(
 
     Notes
     -----
-    Valid for small slopes, n A a^(n-1) << 1, a ramp up to t_m and then a constant speed back, so that the
-    contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
-    earlier_time_maxwell; up to t_m it is t, and the force that of the ramp. Handbook:
+    Valid for small slopes, n A a^(n-1) << 1, a ramp up to t_m, a depth that is held up to t_h and then a
+    constant speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN.
+    Here t_1 is earlier_time_maxwell; up to t_m it is t, and the force that of the ramp. Handbook:
     power_law.vis.retract_mx.
 
     References
@@ -296,12 +315,15 @@ def retract_force_maxwell(
     Examples
     --------
     >>> from axicontact.viscoelastic import power_law
-    >>> value = power_law.retract_force_maxwell(1.0, A=0.45, n=1.5, v=0.2, v_2=0.05, t_m=0.9, E=1.0, tau=2.0)
+    >>> value = power_law.retract_force_maxwell(
+    ...     1.0, A=0.45, n=1.5, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, tau=2.0
+    ... )
     >>> round(value, 6)
-    0.060601
+    0.047751
     """
-    require(A=A, n=n, v=v, v_2=v_2, t_m=t_m, E=E, relaxation=tau)
-    return elementwise(_retract_force_maxwell, t, A=A, n=n, v=v, v_2=v_2, t_m=t_m, E=E, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(A=A, n=n, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, relaxation=tau)
+    return elementwise(_retract_force_maxwell, t, A=A, n=n, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, tau=tau)
 
 
 def retract_radius_maxwell(
@@ -312,10 +334,11 @@ def retract_radius_maxwell(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E: ArrayLike,
     tau: ArrayLike,
 ) -> Result:
-    """Contact radius at time t on a Maxwell fluid, pressed in at v until t_m, then back at v_2.
+    """Contact radius at time t on a Maxwell fluid, pressed in at v until t_m, from t_h on back at v_2.
 
     a = (t_1*v*gamma((n + 1)/2)/(sqrt(pi)*A*gamma(n/2 + 1)))**(1/n)
 
@@ -330,9 +353,11 @@ def retract_radius_maxwell(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -350,9 +375,9 @@ def retract_radius_maxwell(
 
     Notes
     -----
-    Valid for small slopes, n A a^(n-1) << 1, a ramp up to t_m and then a constant speed back, so that the
-    contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
-    earlier_time_maxwell; up to t_m it is t, and the force that of the ramp. Handbook:
+    Valid for small slopes, n A a^(n-1) << 1, a ramp up to t_m, a depth that is held up to t_h and then a
+    constant speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN.
+    Here t_1 is earlier_time_maxwell; up to t_m it is t, and the force that of the ramp. Handbook:
     power_law.vis.radius_mx.
 
     References
@@ -362,12 +387,15 @@ def retract_radius_maxwell(
     Examples
     --------
     >>> from axicontact.viscoelastic import power_law
-    >>> value = power_law.retract_radius_maxwell(1.0, A=0.45, n=1.5, v=0.2, v_2=0.05, t_m=0.9, E=1.0, tau=2.0)
+    >>> value = power_law.retract_radius_maxwell(
+    ...     1.0, A=0.45, n=1.5, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, tau=2.0
+    ... )
     >>> round(value, 6)
-    0.360207
+    0.331804
     """
-    require(A=A, n=n, v=v, v_2=v_2, t_m=t_m, E=E, relaxation=tau)
-    return elementwise(_retract_radius_maxwell, t, A=A, n=n, v=v, v_2=v_2, t_m=t_m, E=E, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(A=A, n=n, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, relaxation=tau)
+    return elementwise(_retract_radius_maxwell, t, A=A, n=n, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, tau=tau)
 
 
 def step_force_maxwell(
@@ -529,11 +557,18 @@ def ramp_force_kelvin_voigt(
 
 
 def earlier_time_kelvin_voigt(
-    t: ArrayLike, *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, eta: ArrayLike
+    t: ArrayLike,
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    eta: ArrayLike,
 ) -> Result:
     """Time before t at which the contact was as large on a Kelvin-Voigt solid; zero after its end.
 
-    t_1 = t_m - v_2*(-t_m + t + eta/E)/v
+    t_1 = t_m - v_2*(-t_h + t + eta/E)/v
 
     Parameters
     ----------
@@ -542,9 +577,11 @@ def earlier_time_kelvin_voigt(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -562,9 +599,9 @@ def earlier_time_kelvin_voigt(
 
     Notes
     -----
-    Valid for small slopes, n A a^(n-1) << 1, a ramp up to t_m and then a constant speed back, so that the
-    contact has one maximum, and no adhesion. Negative or NaN times give NaN. Handbook:
-    power_law.vis.earlier_kv.
+    Valid for small slopes, n A a^(n-1) << 1, a ramp up to t_m, a depth that is held up to t_h and then a
+    constant speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN.
+    Up to t_m it is t, and t_m while the depth is held. Handbook: power_law.vis.earlier_kv.
 
     References
     ----------
@@ -573,27 +610,32 @@ def earlier_time_kelvin_voigt(
     Examples
     --------
     >>> from axicontact.viscoelastic import power_law
-    >>> value = power_law.earlier_time_kelvin_voigt(1.0, v=0.2, v_2=0.05, t_m=0.9, E=1.0, eta=1.5)
+    >>> value = power_law.earlier_time_kelvin_voigt(1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, eta=1.5)
     >>> round(value, 6)
-    0.5
+    0.4
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
-    return elementwise(_earlier_time_kelvin_voigt, t, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
+    return elementwise(_earlier_time_kelvin_voigt, t, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
 
 
-def contact_time_kelvin_voigt(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, eta: ArrayLike) -> Result:
+def contact_time_kelvin_voigt(
+    *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, t_h: ArrayLike | None = None, E: ArrayLike, eta: ArrayLike
+) -> Result:
     """Time at which the contact with a Kelvin-Voigt solid ends on the way back.
 
-    t_c = t_m*v/v_2 + t_m - eta/E
+    t_c = t_h + t_m*v/v_2 - eta/E
 
     Parameters
     ----------
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -611,8 +653,8 @@ def contact_time_kelvin_voigt(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E
 
     Notes
     -----
-    Valid for small slopes, n A a^(n-1) << 1, a ramp up to t_m and then a constant speed back, so that the
-    contact has one maximum, and no adhesion. Handbook: power_law.vis.end_kv.
+    Valid for small slopes, n A a^(n-1) << 1, a ramp up to t_m, a depth that is held up to t_h and then a
+    constant speed back, so that the contact has one maximum, and no adhesion. Handbook: power_law.vis.end_kv.
 
     References
     ----------
@@ -621,12 +663,13 @@ def contact_time_kelvin_voigt(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E
     Examples
     --------
     >>> from axicontact.viscoelastic import power_law
-    >>> value = power_law.contact_time_kelvin_voigt(v=0.2, v_2=0.05, t_m=0.9, E=1.0, eta=1.5)
+    >>> value = power_law.contact_time_kelvin_voigt(v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, eta=1.5)
     >>> round(value, 6)
-    3.0
+    2.6
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
-    return elementwise(_contact_time_kelvin_voigt, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
+    return elementwise(_contact_time_kelvin_voigt, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
 
 
 def retract_force_kelvin_voigt(
@@ -637,10 +680,11 @@ def retract_force_kelvin_voigt(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E: ArrayLike,
     eta: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a Kelvin-Voigt solid, pressed in at v until t_m, then back at v_2.
+    """Normal force at time t on a Kelvin-Voigt solid, pressed in at v until t_m, from t_h on back at v_2.
 
     F = 2*sqrt(pi)*A*E*n*(t_1*v*gamma((n + 1)/2)/(sqrt(pi)*A*gamma(n/2 + 1)))**((n + 1)/n)*gamma(n/2 + 1)/((n
     + 1)*gamma((n + 1)/2))
@@ -656,9 +700,11 @@ def retract_force_kelvin_voigt(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -676,9 +722,9 @@ def retract_force_kelvin_voigt(
 
     Notes
     -----
-    Valid for small slopes, n A a^(n-1) << 1, a ramp up to t_m and then a constant speed back, so that the
-    contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
-    earlier_time_kelvin_voigt; up to t_m it is t, and the force that of the ramp. Handbook:
+    Valid for small slopes, n A a^(n-1) << 1, a ramp up to t_m, a depth that is held up to t_h and then a
+    constant speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN.
+    Here t_1 is earlier_time_kelvin_voigt; up to t_m it is t, and the force that of the ramp. Handbook:
     power_law.vis.retract_kv.
 
     References
@@ -688,12 +734,15 @@ def retract_force_kelvin_voigt(
     Examples
     --------
     >>> from axicontact.viscoelastic import power_law
-    >>> value = power_law.retract_force_kelvin_voigt(1.0, A=0.45, n=1.5, v=0.2, v_2=0.05, t_m=0.9, E=1.0, eta=1.5)
+    >>> value = power_law.retract_force_kelvin_voigt(
+    ...     1.0, A=0.45, n=1.5, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, eta=1.5
+    ... )
     >>> round(value, 6)
-    0.029783
+    0.020533
     """
-    require(A=A, n=n, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
-    return elementwise(_retract_force_kelvin_voigt, t, A=A, n=n, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
+    t_h = require_hold(t_m, t_h)
+    require(A=A, n=n, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
+    return elementwise(_retract_force_kelvin_voigt, t, A=A, n=n, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
 
 
 def retract_radius_kelvin_voigt(
@@ -704,10 +753,11 @@ def retract_radius_kelvin_voigt(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E: ArrayLike,
     eta: ArrayLike,
 ) -> Result:
-    """Contact radius at time t on a Kelvin-Voigt solid, pressed in at v until t_m, then back at v_2.
+    """Contact radius at time t on a Kelvin-Voigt solid, pressed in at v until t_m, from t_h on back at v_2.
 
     a = (t_1*v*gamma((n + 1)/2)/(sqrt(pi)*A*gamma(n/2 + 1)))**(1/n)
 
@@ -722,9 +772,11 @@ def retract_radius_kelvin_voigt(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -742,9 +794,9 @@ def retract_radius_kelvin_voigt(
 
     Notes
     -----
-    Valid for small slopes, n A a^(n-1) << 1, a ramp up to t_m and then a constant speed back, so that the
-    contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
-    earlier_time_kelvin_voigt; up to t_m it is t, and the force that of the ramp. Handbook:
+    Valid for small slopes, n A a^(n-1) << 1, a ramp up to t_m, a depth that is held up to t_h and then a
+    constant speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN.
+    Here t_1 is earlier_time_kelvin_voigt; up to t_m it is t, and the force that of the ramp. Handbook:
     power_law.vis.radius_kv.
 
     References
@@ -754,12 +806,15 @@ def retract_radius_kelvin_voigt(
     Examples
     --------
     >>> from axicontact.viscoelastic import power_law
-    >>> value = power_law.retract_radius_kelvin_voigt(1.0, A=0.45, n=1.5, v=0.2, v_2=0.05, t_m=0.9, E=1.0, eta=1.5)
+    >>> value = power_law.retract_radius_kelvin_voigt(
+    ...     1.0, A=0.45, n=1.5, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, eta=1.5
+    ... )
     >>> round(value, 6)
-    0.248195
+    0.213888
     """
-    require(A=A, n=n, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
-    return elementwise(_retract_radius_kelvin_voigt, t, A=A, n=n, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
+    t_h = require_hold(t_m, t_h)
+    require(A=A, n=n, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
+    return elementwise(_retract_radius_kelvin_voigt, t, A=A, n=n, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
 
 
 def step_force_kelvin_voigt(
@@ -924,12 +979,21 @@ def ramp_force_standard_solid(
 
 
 def earlier_time_standard_solid(
-    t: ArrayLike, *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E_inf: ArrayLike, E_1: ArrayLike, tau: ArrayLike
+    t: ArrayLike,
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E_inf: ArrayLike,
+    E_1: ArrayLike,
+    tau: ArrayLike,
 ) -> Result:
     """Time before t at which the contact was as large on a standard solid; zero after its end.
 
-    t_1 from E_1*tau*(1 - exp(-(-t_1 + t)/tau)) + E_inf*(-t_1 + t) = (1 +
-    v_2/v)*(E_1*tau*(1 - exp(-(-t_m + t)/tau)) + E_inf*(-t_m + t))
+    t_1 from E_1*tau*(1 - exp(-(-t_1 + t)/tau)) + E_inf*(-t_1 + t) = E_1*tau*(1 -
+    exp(-(-t_m + t)/tau)) + E_inf*(-t_m + t) + v_2*(E_1*tau*(1 - exp(-(-t_h +
+    t)/tau)) + E_inf*(-t_h + t))/v
 
     Parameters
     ----------
@@ -938,9 +1002,11 @@ def earlier_time_standard_solid(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -960,9 +1026,9 @@ def earlier_time_standard_solid(
 
     Notes
     -----
-    Valid for small slopes, n A a^(n-1) << 1, a ramp up to t_m and then a constant speed back, so that the
-    contact has one maximum, and no adhesion. Negative or NaN times give NaN. Handbook:
-    power_law.vis.earlier_sls.
+    Valid for small slopes, n A a^(n-1) << 1, a ramp up to t_m, a depth that is held up to t_h and then a
+    constant speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN.
+    Up to t_m it is t, and t_m while the depth is held. Handbook: power_law.vis.earlier_sls.
 
     References
     ----------
@@ -971,30 +1037,43 @@ def earlier_time_standard_solid(
     Examples
     --------
     >>> from axicontact.viscoelastic import power_law
-    >>> value = power_law.earlier_time_standard_solid(1.0, v=0.2, v_2=0.05, t_m=0.9, E_inf=0.4, E_1=0.6, tau=2.0)
+    >>> value = power_law.earlier_time_standard_solid(
+    ...     1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E_inf=0.4, E_1=0.6, tau=2.0
+    ... )
     >>> round(value, 6)
-    0.874531
+    0.773779
     """
-    require(v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, relaxation=tau)
-    return elementwise(_earlier_time_standard_solid, t, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, relaxation=tau)
+    return elementwise(_earlier_time_standard_solid, t, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, tau=tau)
 
 
 def contact_time_standard_solid(
-    *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E_inf: ArrayLike, E_1: ArrayLike, tau: ArrayLike
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E_inf: ArrayLike,
+    E_1: ArrayLike,
+    tau: ArrayLike,
 ) -> Result:
     """Time at which the contact with a standard solid ends on the way back.
 
-    t_c from E_1*tau*(1 - exp(-t_c/tau)) + E_inf*t_c = (1 + v_2/v)*(E_1*tau*(1 -
-    exp(-(t_c - t_m)/tau)) + E_inf*(t_c - t_m))
+    t_c from E_1*tau*(1 - exp(-t_c/tau)) + E_inf*t_c = E_1*tau*(1 - exp(-(t_c -
+    t_m)/tau)) + E_inf*(t_c - t_m) + v_2*(E_1*tau*(1 - exp(-(t_c - t_h)/tau)) +
+    E_inf*(t_c - t_h))/v
 
     Parameters
     ----------
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -1014,8 +1093,9 @@ def contact_time_standard_solid(
 
     Notes
     -----
-    Valid for small slopes, n A a^(n-1) << 1, a ramp up to t_m and then a constant speed back, so that the
-    contact has one maximum, and no adhesion. Handbook: power_law.vis.end_sls.
+    Valid for small slopes, n A a^(n-1) << 1, a ramp up to t_m, a depth that is held up to t_h and then a
+    constant speed back, so that the contact has one maximum, and no adhesion. Handbook:
+    power_law.vis.end_sls.
 
     References
     ----------
@@ -1024,12 +1104,15 @@ def contact_time_standard_solid(
     Examples
     --------
     >>> from axicontact.viscoelastic import power_law
-    >>> value = power_law.contact_time_standard_solid(v=0.2, v_2=0.05, t_m=0.9, E_inf=0.4, E_1=0.6, tau=2.0)
+    >>> value = power_law.contact_time_standard_solid(
+    ...     v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E_inf=0.4, E_1=0.6, tau=2.0
+    ... )
     >>> round(value, 6)
-    3.501344
+    3.220085
     """
-    require(v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, relaxation=tau)
-    return elementwise(_contact_time_standard_solid, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, relaxation=tau)
+    return elementwise(_contact_time_standard_solid, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, tau=tau)
 
 
 def retract_force_standard_solid(
@@ -1040,11 +1123,12 @@ def retract_force_standard_solid(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E_inf: ArrayLike,
     E_1: ArrayLike,
     tau: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a standard solid, pressed in at v until t_m, then back at v_2.
+    """Normal force at time t on a standard solid, pressed in at v until t_m, from t_h on back at v_2.
 
     F = 2*sqrt(pi)*A*n*(t_1*v*gamma((n + 1)/2)/(sqrt(pi)*A*gamma(n/2 + 1)))**((n + 1)/n)*(E_1*exp((t_1 -
     t)/tau)*1F1(1, 1 + (n + 1)/n, -t_1/tau) + E_inf)*gamma(n/2 + 1)/((n + 1)*gamma((n +
@@ -1062,9 +1146,11 @@ def retract_force_standard_solid(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -1084,9 +1170,9 @@ def retract_force_standard_solid(
 
     Notes
     -----
-    Valid for small slopes, n A a^(n-1) << 1, a ramp up to t_m and then a constant speed back, so that the
-    contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
-    earlier_time_standard_solid; up to t_m it is t, and the force that of the ramp. Handbook:
+    Valid for small slopes, n A a^(n-1) << 1, a ramp up to t_m, a depth that is held up to t_h and then a
+    constant speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN.
+    Here t_1 is earlier_time_standard_solid; up to t_m it is t, and the force that of the ramp. Handbook:
     power_law.vis.retract_sls.
 
     References
@@ -1097,13 +1183,16 @@ def retract_force_standard_solid(
     --------
     >>> from axicontact.viscoelastic import power_law
     >>> value = power_law.retract_force_standard_solid(
-    ...     1.0, A=0.45, n=1.5, v=0.2, v_2=0.05, t_m=0.9, E_inf=0.4, E_1=0.6, tau=2.0
+    ...     1.0, A=0.45, n=1.5, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E_inf=0.4, E_1=0.6, tau=2.0
     ... )
     >>> round(value, 6)
-    0.066636
+    0.053382
     """
-    require(A=A, n=n, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, relaxation=tau)
-    return elementwise(_retract_force_standard_solid, t, A=A, n=n, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(A=A, n=n, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, relaxation=tau)
+    return elementwise(
+        _retract_force_standard_solid, t, A=A, n=n, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, tau=tau
+    )
 
 
 def retract_radius_standard_solid(
@@ -1114,11 +1203,12 @@ def retract_radius_standard_solid(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E_inf: ArrayLike,
     E_1: ArrayLike,
     tau: ArrayLike,
 ) -> Result:
-    """Contact radius at time t on a standard solid, pressed in at v until t_m, then back at v_2.
+    """Contact radius at time t on a standard solid, pressed in at v until t_m, from t_h on back at v_2.
 
     a = (t_1*v*gamma((n + 1)/2)/(sqrt(pi)*A*gamma(n/2 + 1)))**(1/n)
 
@@ -1133,9 +1223,11 @@ def retract_radius_standard_solid(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -1155,9 +1247,9 @@ def retract_radius_standard_solid(
 
     Notes
     -----
-    Valid for small slopes, n A a^(n-1) << 1, a ramp up to t_m and then a constant speed back, so that the
-    contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
-    earlier_time_standard_solid; up to t_m it is t, and the force that of the ramp. Handbook:
+    Valid for small slopes, n A a^(n-1) << 1, a ramp up to t_m, a depth that is held up to t_h and then a
+    constant speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN.
+    Here t_1 is earlier_time_standard_solid; up to t_m it is t, and the force that of the ramp. Handbook:
     power_law.vis.radius_sls.
 
     References
@@ -1168,14 +1260,15 @@ def retract_radius_standard_solid(
     --------
     >>> from axicontact.viscoelastic import power_law
     >>> value = power_law.retract_radius_standard_solid(
-    ...     1.0, A=0.45, n=1.5, v=0.2, v_2=0.05, t_m=0.9, E_inf=0.4, E_1=0.6, tau=2.0
+    ...     1.0, A=0.45, n=1.5, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E_inf=0.4, E_1=0.6, tau=2.0
     ... )
     >>> round(value, 6)
-    0.360299
+    0.332065
     """
-    require(A=A, n=n, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, relaxation=tau)
+    t_h = require_hold(t_m, t_h)
+    require(A=A, n=n, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, relaxation=tau)
     return elementwise(
-        _retract_radius_standard_solid, t, A=A, n=n, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, tau=tau
+        _retract_radius_standard_solid, t, A=A, n=n, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, tau=tau
     )
 
 
@@ -1346,11 +1439,19 @@ def ramp_force_power_creep(
 
 
 def earlier_time_power_creep(
-    t: ArrayLike, *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, alpha: ArrayLike, t_0: ArrayLike
+    t: ArrayLike,
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    alpha: ArrayLike,
+    t_0: ArrayLike,
 ) -> Result:
     """Time before t at which the contact was as large on a material of power-law creep; zero after its end.
 
-    t_1 = t - (1 + v_2/v)**(1/(1 - alpha))*(-t_m + t)
+    t_1 = t - (1 + v_2*((-t_m + t)/(-t_h + t))**(alpha - 1)/v)**(1/(1 - alpha))*(-t_m + t)
 
     Parameters
     ----------
@@ -1359,9 +1460,11 @@ def earlier_time_power_creep(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1381,9 +1484,9 @@ def earlier_time_power_creep(
 
     Notes
     -----
-    Valid for small slopes, n A a^(n-1) << 1, a ramp up to t_m and then a constant speed back, so that the
-    contact has one maximum, and no adhesion. Negative or NaN times give NaN. Handbook:
-    power_law.vis.earlier_pc.
+    Valid for small slopes, n A a^(n-1) << 1, a ramp up to t_m, a depth that is held up to t_h and then a
+    constant speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN.
+    Up to t_m it is t, and t_m while the depth is held. Handbook: power_law.vis.earlier_pc.
 
     References
     ----------
@@ -1392,29 +1495,43 @@ def earlier_time_power_creep(
     Examples
     --------
     >>> from axicontact.viscoelastic import power_law
-    >>> value = power_law.earlier_time_power_creep(1.0, v=0.2, v_2=0.05, t_m=0.9, E=1.0, alpha=0.25, t_0=1.0)
+    >>> value = power_law.earlier_time_power_creep(
+    ...     1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, alpha=0.25, t_0=1.0
+    ... )
     >>> round(value, 6)
-    0.865348
+    0.759408
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
-    return elementwise(_earlier_time_power_creep, t, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
+    return elementwise(_earlier_time_power_creep, t, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
 
 
 def contact_time_power_creep(
-    *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, alpha: ArrayLike, t_0: ArrayLike
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    alpha: ArrayLike,
+    t_0: ArrayLike,
 ) -> Result:
     """Time at which the contact with a material of power-law creep ends on the way back.
 
-    t_c = t_m + t_m/((1 + v_2/v)**(1/(1 - alpha)) - 1)
+    t_c from E*t_0**alpha*t_c**(1 - alpha)/((1 - alpha)*gamma(1 - alpha)*gamma(alpha + 1)) = E*t_0**alpha*(t_c
+    - t_m)**(1 - alpha)/((1 - alpha)*gamma(1 - alpha)*gamma(alpha + 1)) + E*t_0**alpha*v_2*(t_c - t_h)**(1 -
+    alpha)/(v*(1 - alpha)*gamma(1 - alpha)*gamma(alpha + 1))
 
     Parameters
     ----------
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1434,8 +1551,8 @@ def contact_time_power_creep(
 
     Notes
     -----
-    Valid for small slopes, n A a^(n-1) << 1, a ramp up to t_m and then a constant speed back, so that the
-    contact has one maximum, and no adhesion. Handbook: power_law.vis.end_pc.
+    Valid for small slopes, n A a^(n-1) << 1, a ramp up to t_m, a depth that is held up to t_h and then a
+    constant speed back, so that the contact has one maximum, and no adhesion. Handbook: power_law.vis.end_pc.
 
     References
     ----------
@@ -1444,12 +1561,13 @@ def contact_time_power_creep(
     Examples
     --------
     >>> from axicontact.viscoelastic import power_law
-    >>> value = power_law.contact_time_power_creep(v=0.2, v_2=0.05, t_m=0.9, E=1.0, alpha=0.25, t_0=1.0)
+    >>> value = power_law.contact_time_power_creep(v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, alpha=0.25, t_0=1.0)
     >>> round(value, 6)
-    3.49724
+    3.186706
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
-    return elementwise(_contact_time_power_creep, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
+    return elementwise(_contact_time_power_creep, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
 
 
 def retract_force_power_creep(
@@ -1460,11 +1578,12 @@ def retract_force_power_creep(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E: ArrayLike,
     alpha: ArrayLike,
     t_0: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a material of power-law creep, pressed in at v until t_m, then back at v_2.
+    """Normal force at time t on a material of power-law creep, pressed in at v until t_m, from t_h on back at v_2.
 
     F = 2*sqrt(pi)*A*E*t_0**alpha*t**(-alpha + (n + 1)/n)*(t_1*v*gamma((n + 1)/2)/(sqrt(pi)*A*gamma(n/2 +
     1)))**((n + 1)/n)*IncompleteBeta(t_1/t, (n + 1)/n, 1 - alpha)*gamma(n/2 + 1)/(t_1**((n + 1)/n)*gamma(1
@@ -1483,9 +1602,11 @@ def retract_force_power_creep(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1505,9 +1626,9 @@ def retract_force_power_creep(
 
     Notes
     -----
-    Valid for small slopes, n A a^(n-1) << 1, a ramp up to t_m and then a constant speed back, so that the
-    contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
-    earlier_time_power_creep; up to t_m it is t, and the force that of the ramp. Handbook:
+    Valid for small slopes, n A a^(n-1) << 1, a ramp up to t_m, a depth that is held up to t_h and then a
+    constant speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN.
+    Here t_1 is earlier_time_power_creep; up to t_m it is t, and the force that of the ramp. Handbook:
     power_law.vis.retract_pc.
 
     References
@@ -1518,13 +1639,16 @@ def retract_force_power_creep(
     --------
     >>> from axicontact.viscoelastic import power_law
     >>> value = power_law.retract_force_power_creep(
-    ...     1.0, A=0.45, n=1.5, v=0.2, v_2=0.05, t_m=0.9, E=1.0, alpha=0.25, t_0=1.0
+    ...     1.0, A=0.45, n=1.5, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, alpha=0.25, t_0=1.0
     ... )
     >>> round(value, 6)
-    0.084572
+    0.064585
     """
-    require(A=A, n=n, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
-    return elementwise(_retract_force_power_creep, t, A=A, n=n, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
+    t_h = require_hold(t_m, t_h)
+    require(A=A, n=n, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
+    return elementwise(
+        _retract_force_power_creep, t, A=A, n=n, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0
+    )
 
 
 def retract_radius_power_creep(
@@ -1535,11 +1659,12 @@ def retract_radius_power_creep(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E: ArrayLike,
     alpha: ArrayLike,
     t_0: ArrayLike,
 ) -> Result:
-    """Contact radius at time t on a material of power-law creep, pressed in at v until t_m, then back at v_2.
+    """Contact radius at time t on a material of power-law creep, pressed in at v until t_m, from t_h on back at v_2.
 
     a = (t_1*v*gamma((n + 1)/2)/(sqrt(pi)*A*gamma(n/2 + 1)))**(1/n)
 
@@ -1554,9 +1679,11 @@ def retract_radius_power_creep(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1576,9 +1703,9 @@ def retract_radius_power_creep(
 
     Notes
     -----
-    Valid for small slopes, n A a^(n-1) << 1, a ramp up to t_m and then a constant speed back, so that the
-    contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
-    earlier_time_power_creep; up to t_m it is t, and the force that of the ramp. Handbook:
+    Valid for small slopes, n A a^(n-1) << 1, a ramp up to t_m, a depth that is held up to t_h and then a
+    constant speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN.
+    Here t_1 is earlier_time_power_creep; up to t_m it is t, and the force that of the ramp. Handbook:
     power_law.vis.radius_pc.
 
     References
@@ -1589,13 +1716,16 @@ def retract_radius_power_creep(
     --------
     >>> from axicontact.viscoelastic import power_law
     >>> value = power_law.retract_radius_power_creep(
-    ...     1.0, A=0.45, n=1.5, v=0.2, v_2=0.05, t_m=0.9, E=1.0, alpha=0.25, t_0=1.0
+    ...     1.0, A=0.45, n=1.5, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, alpha=0.25, t_0=1.0
     ... )
     >>> round(value, 6)
-    0.357772
+    0.327941
     """
-    require(A=A, n=n, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
-    return elementwise(_retract_radius_power_creep, t, A=A, n=n, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
+    t_h = require_hold(t_m, t_h)
+    require(A=A, n=n, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
+    return elementwise(
+        _retract_radius_power_creep, t, A=A, n=n, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0
+    )
 
 
 def step_force_power_creep(
@@ -1721,29 +1851,29 @@ def _step_load_radius_maxwell(t: Array, F: Array, A: Array, n: Array, E: Array, 
     return normal._radius_from_force(F * creep_maxwell(t, E, tau), A, n, 1.0)
 
 
-def _earlier_time_maxwell(t: Array, v: Array, v_2: Array, t_m: Array, E: Array, tau: Array) -> Array:
-    return earlier(t, t_m, lag_maxwell(t, t_m, v_2 / v, E, tau))
+def _earlier_time_maxwell(t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, tau: Array) -> Array:
+    return earlier(t, t_m, lag_maxwell(t, t_m, t_h, v_2 / v, E, tau))
 
 
 def _retract_radius_maxwell(
-    t: Array, v: Array, v_2: Array, t_m: Array, A: Array, n: Array, E: Array, tau: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, A: Array, n: Array, E: Array, tau: Array
 ) -> Array:
-    t_1 = earlier(t, t_m, lag_maxwell(t, t_m, v_2 / v, E, tau))
+    t_1 = earlier(t, t_m, lag_maxwell(t, t_m, t_h, v_2 / v, E, tau))
     return np.where(t_1 <= 0.0, 0.0, normal._radius_from_depth(v * t_1, A, n))
 
 
 def _retract_force_maxwell(
-    t: Array, v: Array, v_2: Array, t_m: Array, A: Array, n: Array, E: Array, tau: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, A: Array, n: Array, E: Array, tau: Array
 ) -> Array:
-    lag = lag_maxwell(t, t_m, v_2 / v, E, tau)
+    lag = lag_maxwell(t, t_m, t_h, v_2 / v, E, tau)
     t_1 = earlier(t, t_m, lag)
     m = (n + 1) / n
     back = normal._force_from_depth(v * t_1, A, n, 1.0) * kept_maxwell(t, t_1, passed(t, t_m, lag), m, E, tau)
     return np.where(t > t_m, np.where(t_1 > 0.0, back, 0.0), _ramp_force_maxwell(t, v, A, n, E, tau))
 
 
-def _contact_time_maxwell(v: Array, v_2: Array, t_m: Array, E: Array, tau: Array) -> Array:
-    return end_maxwell(v_2 / v, t_m, E, tau)
+def _contact_time_maxwell(v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, tau: Array) -> Array:
+    return end_maxwell(v_2 / v, t_m, t_h, E, tau)
 
 
 def _ramp_force_kelvin_voigt(t: Array, v: Array, A: Array, n: Array, E: Array, eta: Array) -> Array:
@@ -1760,29 +1890,29 @@ def _step_load_radius_kelvin_voigt(t: Array, F: Array, A: Array, n: Array, E: Ar
     return normal._radius_from_force(F * creep_kelvin_voigt(t, E, eta), A, n, 1.0)
 
 
-def _earlier_time_kelvin_voigt(t: Array, v: Array, v_2: Array, t_m: Array, E: Array, eta: Array) -> Array:
-    return earlier(t, t_m, lag_kelvin_voigt(t, t_m, v_2 / v, E, eta))
+def _earlier_time_kelvin_voigt(t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, eta: Array) -> Array:
+    return earlier(t, t_m, lag_kelvin_voigt(t, t_m, t_h, v_2 / v, E, eta))
 
 
 def _retract_radius_kelvin_voigt(
-    t: Array, v: Array, v_2: Array, t_m: Array, A: Array, n: Array, E: Array, eta: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, A: Array, n: Array, E: Array, eta: Array
 ) -> Array:
-    t_1 = earlier(t, t_m, lag_kelvin_voigt(t, t_m, v_2 / v, E, eta))
+    t_1 = earlier(t, t_m, lag_kelvin_voigt(t, t_m, t_h, v_2 / v, E, eta))
     return np.where(t_1 <= 0.0, 0.0, normal._radius_from_depth(v * t_1, A, n))
 
 
 def _retract_force_kelvin_voigt(
-    t: Array, v: Array, v_2: Array, t_m: Array, A: Array, n: Array, E: Array, eta: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, A: Array, n: Array, E: Array, eta: Array
 ) -> Array:
-    lag = lag_kelvin_voigt(t, t_m, v_2 / v, E, eta)
+    lag = lag_kelvin_voigt(t, t_m, t_h, v_2 / v, E, eta)
     t_1 = earlier(t, t_m, lag)
     m = (n + 1) / n
     back = normal._force_from_depth(v * t_1, A, n, 1.0) * kept_kelvin_voigt(t, t_1, passed(t, t_m, lag), m, E, eta)
     return np.where(t > t_m, np.where(t_1 > 0.0, back, 0.0), _ramp_force_kelvin_voigt(t, v, A, n, E, eta))
 
 
-def _contact_time_kelvin_voigt(v: Array, v_2: Array, t_m: Array, E: Array, eta: Array) -> Array:
-    return end_kelvin_voigt(v_2 / v, t_m, E, eta)
+def _contact_time_kelvin_voigt(v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, eta: Array) -> Array:
+    return end_kelvin_voigt(v_2 / v, t_m, t_h, E, eta)
 
 
 def _ramp_force_standard_solid(t: Array, v: Array, A: Array, n: Array, E_inf: Array, E_1: Array, tau: Array) -> Array:
@@ -1802,22 +1932,22 @@ def _step_load_radius_standard_solid(
 
 
 def _earlier_time_standard_solid(
-    t: Array, v: Array, v_2: Array, t_m: Array, E_inf: Array, E_1: Array, tau: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, E_inf: Array, E_1: Array, tau: Array
 ) -> Array:
-    return earlier(t, t_m, lag_standard_solid(t, t_m, v_2 / v, E_inf, E_1, tau))
+    return earlier(t, t_m, lag_standard_solid(t, t_m, t_h, v_2 / v, E_inf, E_1, tau))
 
 
 def _retract_radius_standard_solid(
-    t: Array, v: Array, v_2: Array, t_m: Array, A: Array, n: Array, E_inf: Array, E_1: Array, tau: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, A: Array, n: Array, E_inf: Array, E_1: Array, tau: Array
 ) -> Array:
-    t_1 = earlier(t, t_m, lag_standard_solid(t, t_m, v_2 / v, E_inf, E_1, tau))
+    t_1 = earlier(t, t_m, lag_standard_solid(t, t_m, t_h, v_2 / v, E_inf, E_1, tau))
     return np.where(t_1 <= 0.0, 0.0, normal._radius_from_depth(v * t_1, A, n))
 
 
 def _retract_force_standard_solid(
-    t: Array, v: Array, v_2: Array, t_m: Array, A: Array, n: Array, E_inf: Array, E_1: Array, tau: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, A: Array, n: Array, E_inf: Array, E_1: Array, tau: Array
 ) -> Array:
-    lag = lag_standard_solid(t, t_m, v_2 / v, E_inf, E_1, tau)
+    lag = lag_standard_solid(t, t_m, t_h, v_2 / v, E_inf, E_1, tau)
     t_1 = earlier(t, t_m, lag)
     m = (n + 1) / n
     back = normal._force_from_depth(v * t_1, A, n, 1.0) * kept_standard_solid(
@@ -1826,8 +1956,10 @@ def _retract_force_standard_solid(
     return np.where(t > t_m, np.where(t_1 > 0.0, back, 0.0), _ramp_force_standard_solid(t, v, A, n, E_inf, E_1, tau))
 
 
-def _contact_time_standard_solid(v: Array, v_2: Array, t_m: Array, E_inf: Array, E_1: Array, tau: Array) -> Array:
-    return end_standard_solid(v_2 / v, t_m, E_inf, E_1, tau)
+def _contact_time_standard_solid(
+    v: Array, v_2: Array, t_m: Array, t_h: Array, E_inf: Array, E_1: Array, tau: Array
+) -> Array:
+    return end_standard_solid(v_2 / v, t_m, t_h, E_inf, E_1, tau)
 
 
 def _ramp_force_power_creep(t: Array, v: Array, A: Array, n: Array, E: Array, alpha: Array, t_0: Array) -> Array:
@@ -1844,21 +1976,23 @@ def _step_load_radius_power_creep(t: Array, F: Array, A: Array, n: Array, E: Arr
     return normal._radius_from_force(F * creep_power_creep(t, E, alpha, t_0), A, n, 1.0)
 
 
-def _earlier_time_power_creep(t: Array, v: Array, v_2: Array, t_m: Array, E: Array, alpha: Array, t_0: Array) -> Array:
-    return earlier(t, t_m, lag_power_creep(t, t_m, v_2 / v, E, alpha, t_0))
+def _earlier_time_power_creep(
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, alpha: Array, t_0: Array
+) -> Array:
+    return earlier(t, t_m, lag_power_creep(t, t_m, t_h, v_2 / v, E, alpha, t_0))
 
 
 def _retract_radius_power_creep(
-    t: Array, v: Array, v_2: Array, t_m: Array, A: Array, n: Array, E: Array, alpha: Array, t_0: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, A: Array, n: Array, E: Array, alpha: Array, t_0: Array
 ) -> Array:
-    t_1 = earlier(t, t_m, lag_power_creep(t, t_m, v_2 / v, E, alpha, t_0))
+    t_1 = earlier(t, t_m, lag_power_creep(t, t_m, t_h, v_2 / v, E, alpha, t_0))
     return np.where(t_1 <= 0.0, 0.0, normal._radius_from_depth(v * t_1, A, n))
 
 
 def _retract_force_power_creep(
-    t: Array, v: Array, v_2: Array, t_m: Array, A: Array, n: Array, E: Array, alpha: Array, t_0: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, A: Array, n: Array, E: Array, alpha: Array, t_0: Array
 ) -> Array:
-    lag = lag_power_creep(t, t_m, v_2 / v, E, alpha, t_0)
+    lag = lag_power_creep(t, t_m, t_h, v_2 / v, E, alpha, t_0)
     t_1 = earlier(t, t_m, lag)
     m = (n + 1) / n
     back = normal._force_from_depth(v * t_1, A, n, 1.0) * kept_power_creep(
@@ -1867,5 +2001,7 @@ def _retract_force_power_creep(
     return np.where(t > t_m, np.where(t_1 > 0.0, back, 0.0), _ramp_force_power_creep(t, v, A, n, E, alpha, t_0))
 
 
-def _contact_time_power_creep(v: Array, v_2: Array, t_m: Array, E: Array, alpha: Array, t_0: Array) -> Array:
-    return end_power_creep(v_2 / v, t_m, E, alpha, t_0)
+def _contact_time_power_creep(
+    v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, alpha: Array, t_0: Array
+) -> Array:
+    return end_power_creep(v_2 / v, t_m, t_h, E, alpha, t_0)

@@ -35,6 +35,7 @@ from .._runtime.physics.retraction import (
     lag_power_creep,
     lag_standard_solid,
     passed,
+    require_hold,
 )
 from ..normal import rounded_curved_punch as normal
 
@@ -137,11 +138,18 @@ def ramp_force_maxwell(
 
 
 def earlier_time_maxwell(
-    t: ArrayLike, *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, tau: ArrayLike
+    t: ArrayLike,
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    tau: ArrayLike,
 ) -> Result:
     """Time before t at which the contact was as large on a Maxwell fluid; zero after its end.
 
-    t_1 = tau*log(1 - v_2*(exp((-t_m + t)/tau) - 1)/v) + t_m
+    t_1 = tau*log(1 - v_2*(-exp((t_h - t_m)/tau) + exp((-t_m + t)/tau))/v) + t_m
 
     Parameters
     ----------
@@ -150,9 +158,11 @@ def earlier_time_maxwell(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -170,9 +180,9 @@ def earlier_time_maxwell(
 
     Notes
     -----
-    Valid for a << R1, a - b << R2, a ramp up to t_m and then a constant speed back, so that the contact has
-    one maximum, and no adhesion. Negative or NaN times give NaN. Handbook:
-    rounded_curved_punch.vis.earlier_mx.
+    Valid for a << R1, a - b << R2, a ramp up to t_m, a depth that is held up to t_h and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to t_m it
+    is t, and t_m while the depth is held. Handbook: rounded_curved_punch.vis.earlier_mx.
 
     References
     ----------
@@ -181,27 +191,32 @@ def earlier_time_maxwell(
     Examples
     --------
     >>> from axicontact.viscoelastic import rounded_curved_punch
-    >>> value = rounded_curved_punch.earlier_time_maxwell(1.0, v=0.2, v_2=0.05, t_m=0.9, E=1.0, tau=2.0)
+    >>> value = rounded_curved_punch.earlier_time_maxwell(1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, tau=2.0)
     >>> round(value, 6)
-    0.874199
+    0.772867
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, relaxation=tau)
-    return elementwise(_earlier_time_maxwell, t, v=v, v_2=v_2, t_m=t_m, E=E, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, relaxation=tau)
+    return elementwise(_earlier_time_maxwell, t, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, tau=tau)
 
 
-def contact_time_maxwell(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, tau: ArrayLike) -> Result:
+def contact_time_maxwell(
+    *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, t_h: ArrayLike | None = None, E: ArrayLike, tau: ArrayLike
+) -> Result:
     """Time at which the contact with a Maxwell fluid ends on the way back.
 
-    t_c = tau*log(v*(1 - exp(-t_m/tau))/v_2 + 1) + t_m
+    t_c = tau*log(v*(exp(t_m/tau) - 1)*exp(-t_h/tau)/v_2 + 1) + t_h
 
     Parameters
     ----------
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -219,8 +234,8 @@ def contact_time_maxwell(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: Arr
 
     Notes
     -----
-    Valid for a << R1, a - b << R2, a ramp up to t_m and then a constant speed back, so that the contact has
-    one maximum, and no adhesion. Handbook: rounded_curved_punch.vis.end_mx.
+    Valid for a << R1, a - b << R2, a ramp up to t_m, a depth that is held up to t_h and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Handbook: rounded_curved_punch.vis.end_mx.
 
     References
     ----------
@@ -229,12 +244,13 @@ def contact_time_maxwell(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: Arr
     Examples
     --------
     >>> from axicontact.viscoelastic import rounded_curved_punch
-    >>> value = rounded_curved_punch.contact_time_maxwell(v=0.2, v_2=0.05, t_m=0.9, E=1.0, tau=2.0)
+    >>> value = rounded_curved_punch.contact_time_maxwell(v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, tau=2.0)
     >>> round(value, 6)
-    2.691758
+    2.525772
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, relaxation=tau)
-    return elementwise(_contact_time_maxwell, v=v, v_2=v_2, t_m=t_m, E=E, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, relaxation=tau)
+    return elementwise(_contact_time_maxwell, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, tau=tau)
 
 
 def retract_force_maxwell(
@@ -246,10 +262,11 @@ def retract_force_maxwell(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E: ArrayLike,
     tau: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a Maxwell fluid, pressed in at v until t_m, then back at v_2.
+    """Normal force at time t on a Maxwell fluid, pressed in at v until t_m, from t_h on back at v_2.
 
     F = 2*v*Integral(-E*tau*(1 - exp(-(-t_1 + t)/tau)) + E*tau*(1 - exp(-(t -
     x**2/(R1*v))/tau)), (x, 0, a))   for a < b
@@ -271,9 +288,11 @@ def retract_force_maxwell(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -291,11 +310,11 @@ def retract_force_maxwell(
 
     Notes
     -----
-    Valid for a << R1, a - b << R2, a ramp up to t_m and then a constant speed back, so that the contact has
-    one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_maxwell; up to t_m
-    it is t, and the force that of the ramp. Here a is the contact radius of the elastic contact at the depth
-    v t_1: a from a**2/R1 = d   for a < b; a from a*(-b*acos(b/a)/R2 + sqrt(a**2 - b**2)/R2 + a/R1) = d   for
-    b < a. Handbook: rounded_curved_punch.vis.retract_mx.
+    Valid for a << R1, a - b << R2, a ramp up to t_m, a depth that is held up to t_h and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
+    earlier_time_maxwell; up to t_m it is t, and the force that of the ramp. Here a is the contact radius of
+    the elastic contact at the depth v t_1: a from a**2/R1 = d   for a < b; a from a*(-b*acos(b/a)/R2 +
+    sqrt(a**2 - b**2)/R2 + a/R1) = d   for b < a. Handbook: rounded_curved_punch.vis.retract_mx.
 
     References
     ----------
@@ -305,13 +324,14 @@ def retract_force_maxwell(
     --------
     >>> from axicontact.viscoelastic import rounded_curved_punch
     >>> value = rounded_curved_punch.retract_force_maxwell(
-    ...     1.0, R1=6.0, R2=1.2, b=1.0, v=0.2, v_2=0.05, t_m=0.9, E=1.0, tau=2.0
+    ...     1.0, R1=6.0, R2=1.2, b=1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, tau=2.0
     ... )
     >>> round(value, 6)
-    0.189428
+    0.152567
     """
-    require(R1=R1, R2=R2, b=b, v=v, v_2=v_2, t_m=t_m, E=E, relaxation=tau)
-    return elementwise(_retract_force_maxwell, t, R1=R1, R2=R2, b=b, v=v, v_2=v_2, t_m=t_m, E=E, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(R1=R1, R2=R2, b=b, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, relaxation=tau)
+    return elementwise(_retract_force_maxwell, t, R1=R1, R2=R2, b=b, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, tau=tau)
 
 
 def retract_radius_maxwell(
@@ -323,10 +343,11 @@ def retract_radius_maxwell(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E: ArrayLike,
     tau: ArrayLike,
 ) -> Result:
-    """Contact radius at time t on a Maxwell fluid, pressed in at v until t_m, then back at v_2.
+    """Contact radius at time t on a Maxwell fluid, pressed in at v until t_m, from t_h on back at v_2.
 
     a from a**2/R1 = t_1*v   for a < b
     a from a*(-b*acos(b/a)/R2 + sqrt(a**2 - b**2)/R2 + a/R1) = t_1*v   for b < a
@@ -344,9 +365,11 @@ def retract_radius_maxwell(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -364,9 +387,10 @@ def retract_radius_maxwell(
 
     Notes
     -----
-    Valid for a << R1, a - b << R2, a ramp up to t_m and then a constant speed back, so that the contact has
-    one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_maxwell; up to t_m
-    it is t, and the force that of the ramp. Handbook: rounded_curved_punch.vis.radius_mx.
+    Valid for a << R1, a - b << R2, a ramp up to t_m, a depth that is held up to t_h and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
+    earlier_time_maxwell; up to t_m it is t, and the force that of the ramp. Handbook:
+    rounded_curved_punch.vis.radius_mx.
 
     References
     ----------
@@ -376,13 +400,14 @@ def retract_radius_maxwell(
     --------
     >>> from axicontact.viscoelastic import rounded_curved_punch
     >>> value = rounded_curved_punch.retract_radius_maxwell(
-    ...     1.0, R1=6.0, R2=1.2, b=1.0, v=0.2, v_2=0.05, t_m=0.9, E=1.0, tau=2.0
+    ...     1.0, R1=6.0, R2=1.2, b=1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, tau=2.0
     ... )
     >>> round(value, 6)
-    1.018405
+    0.963037
     """
-    require(R1=R1, R2=R2, b=b, v=v, v_2=v_2, t_m=t_m, E=E, relaxation=tau)
-    return elementwise(_retract_radius_maxwell, t, R1=R1, R2=R2, b=b, v=v, v_2=v_2, t_m=t_m, E=E, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(R1=R1, R2=R2, b=b, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, relaxation=tau)
+    return elementwise(_retract_radius_maxwell, t, R1=R1, R2=R2, b=b, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, tau=tau)
 
 
 def step_force_maxwell(
@@ -558,11 +583,18 @@ def ramp_force_kelvin_voigt(
 
 
 def earlier_time_kelvin_voigt(
-    t: ArrayLike, *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, eta: ArrayLike
+    t: ArrayLike,
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    eta: ArrayLike,
 ) -> Result:
     """Time before t at which the contact was as large on a Kelvin-Voigt solid; zero after its end.
 
-    t_1 = t_m - v_2*(-t_m + t + eta/E)/v
+    t_1 = t_m - v_2*(-t_h + t + eta/E)/v
 
     Parameters
     ----------
@@ -571,9 +603,11 @@ def earlier_time_kelvin_voigt(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -591,9 +625,9 @@ def earlier_time_kelvin_voigt(
 
     Notes
     -----
-    Valid for a << R1, a - b << R2, a ramp up to t_m and then a constant speed back, so that the contact has
-    one maximum, and no adhesion. Negative or NaN times give NaN. Handbook:
-    rounded_curved_punch.vis.earlier_kv.
+    Valid for a << R1, a - b << R2, a ramp up to t_m, a depth that is held up to t_h and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to t_m it
+    is t, and t_m while the depth is held. Handbook: rounded_curved_punch.vis.earlier_kv.
 
     References
     ----------
@@ -602,27 +636,34 @@ def earlier_time_kelvin_voigt(
     Examples
     --------
     >>> from axicontact.viscoelastic import rounded_curved_punch
-    >>> value = rounded_curved_punch.earlier_time_kelvin_voigt(1.0, v=0.2, v_2=0.05, t_m=0.9, E=1.0, eta=1.5)
+    >>> value = rounded_curved_punch.earlier_time_kelvin_voigt(
+    ...     1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, eta=1.5
+    ... )
     >>> round(value, 6)
-    0.5
+    0.4
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
-    return elementwise(_earlier_time_kelvin_voigt, t, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
+    return elementwise(_earlier_time_kelvin_voigt, t, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
 
 
-def contact_time_kelvin_voigt(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, eta: ArrayLike) -> Result:
+def contact_time_kelvin_voigt(
+    *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, t_h: ArrayLike | None = None, E: ArrayLike, eta: ArrayLike
+) -> Result:
     """Time at which the contact with a Kelvin-Voigt solid ends on the way back.
 
-    t_c = t_m*v/v_2 + t_m - eta/E
+    t_c = t_h + t_m*v/v_2 - eta/E
 
     Parameters
     ----------
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -640,8 +681,8 @@ def contact_time_kelvin_voigt(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E
 
     Notes
     -----
-    Valid for a << R1, a - b << R2, a ramp up to t_m and then a constant speed back, so that the contact has
-    one maximum, and no adhesion. Handbook: rounded_curved_punch.vis.end_kv.
+    Valid for a << R1, a - b << R2, a ramp up to t_m, a depth that is held up to t_h and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Handbook: rounded_curved_punch.vis.end_kv.
 
     References
     ----------
@@ -650,12 +691,13 @@ def contact_time_kelvin_voigt(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E
     Examples
     --------
     >>> from axicontact.viscoelastic import rounded_curved_punch
-    >>> value = rounded_curved_punch.contact_time_kelvin_voigt(v=0.2, v_2=0.05, t_m=0.9, E=1.0, eta=1.5)
+    >>> value = rounded_curved_punch.contact_time_kelvin_voigt(v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, eta=1.5)
     >>> round(value, 6)
-    3.0
+    2.6
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
-    return elementwise(_contact_time_kelvin_voigt, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
+    return elementwise(_contact_time_kelvin_voigt, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
 
 
 def retract_force_kelvin_voigt(
@@ -667,10 +709,11 @@ def retract_force_kelvin_voigt(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E: ArrayLike,
     eta: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a Kelvin-Voigt solid, pressed in at v until t_m, then back at v_2.
+    """Normal force at time t on a Kelvin-Voigt solid, pressed in at v until t_m, from t_h on back at v_2.
 
     F = 4*E*a**3/(3*R1)   for a < b
     F = E*(-a**2*b*acos(b/a)/R2 + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/(3*R2) + 4*a**3/(3*R1))   for b < a
@@ -688,9 +731,11 @@ def retract_force_kelvin_voigt(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -708,11 +753,11 @@ def retract_force_kelvin_voigt(
 
     Notes
     -----
-    Valid for a << R1, a - b << R2, a ramp up to t_m and then a constant speed back, so that the contact has
-    one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_kelvin_voigt; up to
-    t_m it is t, and the force that of the ramp. Here a is the contact radius of the elastic contact at the
-    depth v t_1: a from a**2/R1 = d   for a < b; a from a*(-b*acos(b/a)/R2 + sqrt(a**2 - b**2)/R2 + a/R1) = d
-    for b < a. Handbook: rounded_curved_punch.vis.retract_kv.
+    Valid for a << R1, a - b << R2, a ramp up to t_m, a depth that is held up to t_h and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
+    earlier_time_kelvin_voigt; up to t_m it is t, and the force that of the ramp. Here a is the contact radius
+    of the elastic contact at the depth v t_1: a from a**2/R1 = d   for a < b; a from a*(-b*acos(b/a)/R2 +
+    sqrt(a**2 - b**2)/R2 + a/R1) = d   for b < a. Handbook: rounded_curved_punch.vis.retract_kv.
 
     References
     ----------
@@ -722,13 +767,14 @@ def retract_force_kelvin_voigt(
     --------
     >>> from axicontact.viscoelastic import rounded_curved_punch
     >>> value = rounded_curved_punch.retract_force_kelvin_voigt(
-    ...     1.0, R1=6.0, R2=1.2, b=1.0, v=0.2, v_2=0.05, t_m=0.9, E=1.0, eta=1.5
+    ...     1.0, R1=6.0, R2=1.2, b=1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, eta=1.5
     ... )
     >>> round(value, 6)
-    0.10328
+    0.073901
     """
-    require(R1=R1, R2=R2, b=b, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
-    return elementwise(_retract_force_kelvin_voigt, t, R1=R1, R2=R2, b=b, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
+    t_h = require_hold(t_m, t_h)
+    require(R1=R1, R2=R2, b=b, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
+    return elementwise(_retract_force_kelvin_voigt, t, R1=R1, R2=R2, b=b, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
 
 
 def retract_radius_kelvin_voigt(
@@ -740,10 +786,11 @@ def retract_radius_kelvin_voigt(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E: ArrayLike,
     eta: ArrayLike,
 ) -> Result:
-    """Contact radius at time t on a Kelvin-Voigt solid, pressed in at v until t_m, then back at v_2.
+    """Contact radius at time t on a Kelvin-Voigt solid, pressed in at v until t_m, from t_h on back at v_2.
 
     a from a**2/R1 = t_1*v   for a < b
     a from a*(-b*acos(b/a)/R2 + sqrt(a**2 - b**2)/R2 + a/R1) = t_1*v   for b < a
@@ -761,9 +808,11 @@ def retract_radius_kelvin_voigt(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -781,9 +830,10 @@ def retract_radius_kelvin_voigt(
 
     Notes
     -----
-    Valid for a << R1, a - b << R2, a ramp up to t_m and then a constant speed back, so that the contact has
-    one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_kelvin_voigt; up to
-    t_m it is t, and the force that of the ramp. Handbook: rounded_curved_punch.vis.radius_kv.
+    Valid for a << R1, a - b << R2, a ramp up to t_m, a depth that is held up to t_h and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
+    earlier_time_kelvin_voigt; up to t_m it is t, and the force that of the ramp. Handbook:
+    rounded_curved_punch.vis.radius_kv.
 
     References
     ----------
@@ -793,13 +843,14 @@ def retract_radius_kelvin_voigt(
     --------
     >>> from axicontact.viscoelastic import rounded_curved_punch
     >>> value = rounded_curved_punch.retract_radius_kelvin_voigt(
-    ...     1.0, R1=6.0, R2=1.2, b=1.0, v=0.2, v_2=0.05, t_m=0.9, E=1.0, eta=1.5
+    ...     1.0, R1=6.0, R2=1.2, b=1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, eta=1.5
     ... )
     >>> round(value, 6)
-    0.774597
+    0.69282
     """
-    require(R1=R1, R2=R2, b=b, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
-    return elementwise(_retract_radius_kelvin_voigt, t, R1=R1, R2=R2, b=b, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
+    t_h = require_hold(t_m, t_h)
+    require(R1=R1, R2=R2, b=b, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
+    return elementwise(_retract_radius_kelvin_voigt, t, R1=R1, R2=R2, b=b, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
 
 
 def step_force_kelvin_voigt(
@@ -992,12 +1043,21 @@ def ramp_force_standard_solid(
 
 
 def earlier_time_standard_solid(
-    t: ArrayLike, *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E_inf: ArrayLike, E_1: ArrayLike, tau: ArrayLike
+    t: ArrayLike,
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E_inf: ArrayLike,
+    E_1: ArrayLike,
+    tau: ArrayLike,
 ) -> Result:
     """Time before t at which the contact was as large on a standard solid; zero after its end.
 
-    t_1 from E_1*tau*(1 - exp(-(-t_1 + t)/tau)) + E_inf*(-t_1 + t) = (1 +
-    v_2/v)*(E_1*tau*(1 - exp(-(-t_m + t)/tau)) + E_inf*(-t_m + t))
+    t_1 from E_1*tau*(1 - exp(-(-t_1 + t)/tau)) + E_inf*(-t_1 + t) = E_1*tau*(1 -
+    exp(-(-t_m + t)/tau)) + E_inf*(-t_m + t) + v_2*(E_1*tau*(1 - exp(-(-t_h +
+    t)/tau)) + E_inf*(-t_h + t))/v
 
     Parameters
     ----------
@@ -1006,9 +1066,11 @@ def earlier_time_standard_solid(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -1028,9 +1090,9 @@ def earlier_time_standard_solid(
 
     Notes
     -----
-    Valid for a << R1, a - b << R2, a ramp up to t_m and then a constant speed back, so that the contact has
-    one maximum, and no adhesion. Negative or NaN times give NaN. Handbook:
-    rounded_curved_punch.vis.earlier_sls.
+    Valid for a << R1, a - b << R2, a ramp up to t_m, a depth that is held up to t_h and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to t_m it
+    is t, and t_m while the depth is held. Handbook: rounded_curved_punch.vis.earlier_sls.
 
     References
     ----------
@@ -1040,31 +1102,42 @@ def earlier_time_standard_solid(
     --------
     >>> from axicontact.viscoelastic import rounded_curved_punch
     >>> value = rounded_curved_punch.earlier_time_standard_solid(
-    ...     1.0, v=0.2, v_2=0.05, t_m=0.9, E_inf=0.4, E_1=0.6, tau=2.0
+    ...     1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E_inf=0.4, E_1=0.6, tau=2.0
     ... )
     >>> round(value, 6)
-    0.874531
+    0.773779
     """
-    require(v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, relaxation=tau)
-    return elementwise(_earlier_time_standard_solid, t, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, relaxation=tau)
+    return elementwise(_earlier_time_standard_solid, t, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, tau=tau)
 
 
 def contact_time_standard_solid(
-    *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E_inf: ArrayLike, E_1: ArrayLike, tau: ArrayLike
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E_inf: ArrayLike,
+    E_1: ArrayLike,
+    tau: ArrayLike,
 ) -> Result:
     """Time at which the contact with a standard solid ends on the way back.
 
-    t_c from E_1*tau*(1 - exp(-t_c/tau)) + E_inf*t_c = (1 + v_2/v)*(E_1*tau*(1 -
-    exp(-(t_c - t_m)/tau)) + E_inf*(t_c - t_m))
+    t_c from E_1*tau*(1 - exp(-t_c/tau)) + E_inf*t_c = E_1*tau*(1 - exp(-(t_c -
+    t_m)/tau)) + E_inf*(t_c - t_m) + v_2*(E_1*tau*(1 - exp(-(t_c - t_h)/tau)) +
+    E_inf*(t_c - t_h))/v
 
     Parameters
     ----------
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -1084,8 +1157,8 @@ def contact_time_standard_solid(
 
     Notes
     -----
-    Valid for a << R1, a - b << R2, a ramp up to t_m and then a constant speed back, so that the contact has
-    one maximum, and no adhesion. Handbook: rounded_curved_punch.vis.end_sls.
+    Valid for a << R1, a - b << R2, a ramp up to t_m, a depth that is held up to t_h and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Handbook: rounded_curved_punch.vis.end_sls.
 
     References
     ----------
@@ -1095,13 +1168,14 @@ def contact_time_standard_solid(
     --------
     >>> from axicontact.viscoelastic import rounded_curved_punch
     >>> value = rounded_curved_punch.contact_time_standard_solid(
-    ...     v=0.2, v_2=0.05, t_m=0.9, E_inf=0.4, E_1=0.6, tau=2.0
+    ...     v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E_inf=0.4, E_1=0.6, tau=2.0
     ... )
     >>> round(value, 6)
-    3.501344
+    3.220085
     """
-    require(v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, relaxation=tau)
-    return elementwise(_contact_time_standard_solid, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, relaxation=tau)
+    return elementwise(_contact_time_standard_solid, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, tau=tau)
 
 
 def retract_force_standard_solid(
@@ -1113,11 +1187,12 @@ def retract_force_standard_solid(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E_inf: ArrayLike,
     E_1: ArrayLike,
     tau: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a standard solid, pressed in at v until t_m, then back at v_2.
+    """Normal force at time t on a standard solid, pressed in at v until t_m, from t_h on back at v_2.
 
     F = Integral(E(-s + t)*Derivative(F(s), s)/E_star, (s, 0, t_1))
 
@@ -1134,9 +1209,11 @@ def retract_force_standard_solid(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -1156,11 +1233,12 @@ def retract_force_standard_solid(
 
     Notes
     -----
-    Valid for a << R1, a - b << R2, a ramp up to t_m and then a constant speed back, so that the contact has
-    one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_standard_solid; up
-    to t_m it is t, and the force that of the ramp. Here a is the contact radius of the elastic contact at the
-    depth v t_1: a from a**2/R1 = d   for a < b; a from a*(-b*acos(b/a)/R2 + sqrt(a**2 - b**2)/R2 + a/R1) = d
-    for b < a. Handbook: rounded_curved_punch.vis.retract_sls.
+    Valid for a << R1, a - b << R2, a ramp up to t_m, a depth that is held up to t_h and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
+    earlier_time_standard_solid; up to t_m it is t, and the force that of the ramp. Here a is the contact
+    radius of the elastic contact at the depth v t_1: a from a**2/R1 = d   for a < b; a from
+    a*(-b*acos(b/a)/R2 + sqrt(a**2 - b**2)/R2 + a/R1) = d   for b < a. Handbook:
+    rounded_curved_punch.vis.retract_sls.
 
     References
     ----------
@@ -1170,14 +1248,26 @@ def retract_force_standard_solid(
     --------
     >>> from axicontact.viscoelastic import rounded_curved_punch
     >>> value = rounded_curved_punch.retract_force_standard_solid(
-    ...     1.0, R1=6.0, R2=1.2, b=1.0, v=0.2, v_2=0.05, t_m=0.9, E_inf=0.4, E_1=0.6, tau=2.0
+    ...     1.0, R1=6.0, R2=1.2, b=1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E_inf=0.4, E_1=0.6, tau=2.0
     ... )
     >>> round(value, 6)
-    0.209278
+    0.171261
     """
-    require(R1=R1, R2=R2, b=b, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, relaxation=tau)
+    t_h = require_hold(t_m, t_h)
+    require(R1=R1, R2=R2, b=b, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, relaxation=tau)
     return elementwise(
-        _retract_force_standard_solid, t, R1=R1, R2=R2, b=b, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, tau=tau
+        _retract_force_standard_solid,
+        t,
+        R1=R1,
+        R2=R2,
+        b=b,
+        v=v,
+        v_2=v_2,
+        t_m=t_m,
+        t_h=t_h,
+        E_inf=E_inf,
+        E_1=E_1,
+        tau=tau,
     )
 
 
@@ -1190,11 +1280,12 @@ def retract_radius_standard_solid(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E_inf: ArrayLike,
     E_1: ArrayLike,
     tau: ArrayLike,
 ) -> Result:
-    """Contact radius at time t on a standard solid, pressed in at v until t_m, then back at v_2.
+    """Contact radius at time t on a standard solid, pressed in at v until t_m, from t_h on back at v_2.
 
     a from a**2/R1 = t_1*v   for a < b
     a from a*(-b*acos(b/a)/R2 + sqrt(a**2 - b**2)/R2 + a/R1) = t_1*v   for b < a
@@ -1212,9 +1303,11 @@ def retract_radius_standard_solid(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -1234,9 +1327,10 @@ def retract_radius_standard_solid(
 
     Notes
     -----
-    Valid for a << R1, a - b << R2, a ramp up to t_m and then a constant speed back, so that the contact has
-    one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_standard_solid; up
-    to t_m it is t, and the force that of the ramp. Handbook: rounded_curved_punch.vis.radius_sls.
+    Valid for a << R1, a - b << R2, a ramp up to t_m, a depth that is held up to t_h and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
+    earlier_time_standard_solid; up to t_m it is t, and the force that of the ramp. Handbook:
+    rounded_curved_punch.vis.radius_sls.
 
     References
     ----------
@@ -1246,14 +1340,26 @@ def retract_radius_standard_solid(
     --------
     >>> from axicontact.viscoelastic import rounded_curved_punch
     >>> value = rounded_curved_punch.retract_radius_standard_solid(
-    ...     1.0, R1=6.0, R2=1.2, b=1.0, v=0.2, v_2=0.05, t_m=0.9, E_inf=0.4, E_1=0.6, tau=2.0
+    ...     1.0, R1=6.0, R2=1.2, b=1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E_inf=0.4, E_1=0.6, tau=2.0
     ... )
     >>> round(value, 6)
-    1.018538
+    0.963605
     """
-    require(R1=R1, R2=R2, b=b, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, relaxation=tau)
+    t_h = require_hold(t_m, t_h)
+    require(R1=R1, R2=R2, b=b, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, relaxation=tau)
     return elementwise(
-        _retract_radius_standard_solid, t, R1=R1, R2=R2, b=b, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, tau=tau
+        _retract_radius_standard_solid,
+        t,
+        R1=R1,
+        R2=R2,
+        b=b,
+        v=v,
+        v_2=v_2,
+        t_m=t_m,
+        t_h=t_h,
+        E_inf=E_inf,
+        E_1=E_1,
+        tau=tau,
     )
 
 
@@ -1469,11 +1575,19 @@ def ramp_force_power_creep(
 
 
 def earlier_time_power_creep(
-    t: ArrayLike, *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, alpha: ArrayLike, t_0: ArrayLike
+    t: ArrayLike,
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    alpha: ArrayLike,
+    t_0: ArrayLike,
 ) -> Result:
     """Time before t at which the contact was as large on a material of power-law creep; zero after its end.
 
-    t_1 = t - (1 + v_2/v)**(1/(1 - alpha))*(-t_m + t)
+    t_1 = t - (1 + v_2*((-t_m + t)/(-t_h + t))**(alpha - 1)/v)**(1/(1 - alpha))*(-t_m + t)
 
     Parameters
     ----------
@@ -1482,9 +1596,11 @@ def earlier_time_power_creep(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1504,9 +1620,9 @@ def earlier_time_power_creep(
 
     Notes
     -----
-    Valid for a << R1, a - b << R2, a ramp up to t_m and then a constant speed back, so that the contact has
-    one maximum, and no adhesion. Negative or NaN times give NaN. Handbook:
-    rounded_curved_punch.vis.earlier_pc.
+    Valid for a << R1, a - b << R2, a ramp up to t_m, a depth that is held up to t_h and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to t_m it
+    is t, and t_m while the depth is held. Handbook: rounded_curved_punch.vis.earlier_pc.
 
     References
     ----------
@@ -1516,30 +1632,42 @@ def earlier_time_power_creep(
     --------
     >>> from axicontact.viscoelastic import rounded_curved_punch
     >>> value = rounded_curved_punch.earlier_time_power_creep(
-    ...     1.0, v=0.2, v_2=0.05, t_m=0.9, E=1.0, alpha=0.25, t_0=1.0
+    ...     1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, alpha=0.25, t_0=1.0
     ... )
     >>> round(value, 6)
-    0.865348
+    0.759408
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
-    return elementwise(_earlier_time_power_creep, t, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
+    return elementwise(_earlier_time_power_creep, t, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
 
 
 def contact_time_power_creep(
-    *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, alpha: ArrayLike, t_0: ArrayLike
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    alpha: ArrayLike,
+    t_0: ArrayLike,
 ) -> Result:
     """Time at which the contact with a material of power-law creep ends on the way back.
 
-    t_c = t_m + t_m/((1 + v_2/v)**(1/(1 - alpha)) - 1)
+    t_c from E*t_0**alpha*t_c**(1 - alpha)/((1 - alpha)*gamma(1 - alpha)*gamma(alpha + 1)) = E*t_0**alpha*(t_c
+    - t_m)**(1 - alpha)/((1 - alpha)*gamma(1 - alpha)*gamma(alpha + 1)) + E*t_0**alpha*v_2*(t_c - t_h)**(1 -
+    alpha)/(v*(1 - alpha)*gamma(1 - alpha)*gamma(alpha + 1))
 
     Parameters
     ----------
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1559,8 +1687,8 @@ def contact_time_power_creep(
 
     Notes
     -----
-    Valid for a << R1, a - b << R2, a ramp up to t_m and then a constant speed back, so that the contact has
-    one maximum, and no adhesion. Handbook: rounded_curved_punch.vis.end_pc.
+    Valid for a << R1, a - b << R2, a ramp up to t_m, a depth that is held up to t_h and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Handbook: rounded_curved_punch.vis.end_pc.
 
     References
     ----------
@@ -1569,12 +1697,15 @@ def contact_time_power_creep(
     Examples
     --------
     >>> from axicontact.viscoelastic import rounded_curved_punch
-    >>> value = rounded_curved_punch.contact_time_power_creep(v=0.2, v_2=0.05, t_m=0.9, E=1.0, alpha=0.25, t_0=1.0)
+    >>> value = rounded_curved_punch.contact_time_power_creep(
+    ...     v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, alpha=0.25, t_0=1.0
+    ... )
     >>> round(value, 6)
-    3.49724
+    3.186706
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
-    return elementwise(_contact_time_power_creep, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
+    return elementwise(_contact_time_power_creep, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
 
 
 def retract_force_power_creep(
@@ -1586,11 +1717,12 @@ def retract_force_power_creep(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E: ArrayLike,
     alpha: ArrayLike,
     t_0: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a material of power-law creep, pressed in at v until t_m, then back at v_2.
+    """Normal force at time t on a material of power-law creep, pressed in at v until t_m, from t_h on back at v_2.
 
     F = Integral(E(-s + t)*Derivative(F(s), s)/E_star, (s, 0, t_1))
 
@@ -1607,9 +1739,11 @@ def retract_force_power_creep(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1629,11 +1763,11 @@ def retract_force_power_creep(
 
     Notes
     -----
-    Valid for a << R1, a - b << R2, a ramp up to t_m and then a constant speed back, so that the contact has
-    one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_power_creep; up to
-    t_m it is t, and the force that of the ramp. Here a is the contact radius of the elastic contact at the
-    depth v t_1: a from a**2/R1 = d   for a < b; a from a*(-b*acos(b/a)/R2 + sqrt(a**2 - b**2)/R2 + a/R1) = d
-    for b < a. Handbook: rounded_curved_punch.vis.retract_pc.
+    Valid for a << R1, a - b << R2, a ramp up to t_m, a depth that is held up to t_h and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
+    earlier_time_power_creep; up to t_m it is t, and the force that of the ramp. Here a is the contact radius
+    of the elastic contact at the depth v t_1: a from a**2/R1 = d   for a < b; a from a*(-b*acos(b/a)/R2 +
+    sqrt(a**2 - b**2)/R2 + a/R1) = d   for b < a. Handbook: rounded_curved_punch.vis.retract_pc.
 
     References
     ----------
@@ -1643,14 +1777,15 @@ def retract_force_power_creep(
     --------
     >>> from axicontact.viscoelastic import rounded_curved_punch
     >>> value = rounded_curved_punch.retract_force_power_creep(
-    ...     1.0, R1=6.0, R2=1.2, b=1.0, v=0.2, v_2=0.05, t_m=0.9, E=1.0, alpha=0.25, t_0=1.0
+    ...     1.0, R1=6.0, R2=1.2, b=1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, alpha=0.25, t_0=1.0
     ... )
     >>> round(value, 6)
-    0.264627
+    0.207146
     """
-    require(R1=R1, R2=R2, b=b, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
+    t_h = require_hold(t_m, t_h)
+    require(R1=R1, R2=R2, b=b, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
     return elementwise(
-        _retract_force_power_creep, t, R1=R1, R2=R2, b=b, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0
+        _retract_force_power_creep, t, R1=R1, R2=R2, b=b, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0
     )
 
 
@@ -1663,11 +1798,12 @@ def retract_radius_power_creep(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E: ArrayLike,
     alpha: ArrayLike,
     t_0: ArrayLike,
 ) -> Result:
-    """Contact radius at time t on a material of power-law creep, pressed in at v until t_m, then back at v_2.
+    """Contact radius at time t on a material of power-law creep, pressed in at v until t_m, from t_h on back at v_2.
 
     a from a**2/R1 = t_1*v   for a < b
     a from a*(-b*acos(b/a)/R2 + sqrt(a**2 - b**2)/R2 + a/R1) = t_1*v   for b < a
@@ -1685,9 +1821,11 @@ def retract_radius_power_creep(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1707,9 +1845,10 @@ def retract_radius_power_creep(
 
     Notes
     -----
-    Valid for a << R1, a - b << R2, a ramp up to t_m and then a constant speed back, so that the contact has
-    one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_power_creep; up to
-    t_m it is t, and the force that of the ramp. Handbook: rounded_curved_punch.vis.radius_pc.
+    Valid for a << R1, a - b << R2, a ramp up to t_m, a depth that is held up to t_h and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
+    earlier_time_power_creep; up to t_m it is t, and the force that of the ramp. Handbook:
+    rounded_curved_punch.vis.radius_pc.
 
     References
     ----------
@@ -1719,14 +1858,15 @@ def retract_radius_power_creep(
     --------
     >>> from axicontact.viscoelastic import rounded_curved_punch
     >>> value = rounded_curved_punch.retract_radius_power_creep(
-    ...     1.0, R1=6.0, R2=1.2, b=1.0, v=0.2, v_2=0.05, t_m=0.9, E=1.0, alpha=0.25, t_0=1.0
+    ...     1.0, R1=6.0, R2=1.2, b=1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, alpha=0.25, t_0=1.0
     ... )
     >>> round(value, 6)
-    1.014814
+    0.954615
     """
-    require(R1=R1, R2=R2, b=b, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
+    t_h = require_hold(t_m, t_h)
+    require(R1=R1, R2=R2, b=b, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
     return elementwise(
-        _retract_radius_power_creep, t, R1=R1, R2=R2, b=b, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0
+        _retract_radius_power_creep, t, R1=R1, R2=R2, b=b, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0
     )
 
 
@@ -1890,28 +2030,28 @@ def _step_load_radius_maxwell(t: Array, F: Array, R1: Array, R2: Array, b: Array
     return normal._radius_from_force(F * creep_maxwell(t, E, tau), R1, R2, b, 1.0)
 
 
-def _earlier_time_maxwell(t: Array, v: Array, v_2: Array, t_m: Array, E: Array, tau: Array) -> Array:
-    return earlier(t, t_m, lag_maxwell(t, t_m, v_2 / v, E, tau))
+def _earlier_time_maxwell(t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, tau: Array) -> Array:
+    return earlier(t, t_m, lag_maxwell(t, t_m, t_h, v_2 / v, E, tau))
 
 
 def _retract_radius_maxwell(
-    t: Array, v: Array, v_2: Array, t_m: Array, R1: Array, R2: Array, b: Array, E: Array, tau: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, R1: Array, R2: Array, b: Array, E: Array, tau: Array
 ) -> Array:
-    t_1 = earlier(t, t_m, lag_maxwell(t, t_m, v_2 / v, E, tau))
+    t_1 = earlier(t, t_m, lag_maxwell(t, t_m, t_h, v_2 / v, E, tau))
     return np.where(t_1 <= 0.0, 0.0, normal._radius_from_depth(v * t_1, R1, R2, b))
 
 
 def _retract_force_maxwell(
-    t: Array, v: Array, v_2: Array, t_m: Array, R1: Array, R2: Array, b: Array, E: Array, tau: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, R1: Array, R2: Array, b: Array, E: Array, tau: Array
 ) -> Array:
-    lag = lag_maxwell(t, t_m, v_2 / v, E, tau)
+    lag = lag_maxwell(t, t_m, t_h, v_2 / v, E, tau)
     t_1 = earlier(t, t_m, lag)
     since = np.where(t > t_m, passed(t, t_m, lag), 0.0)
     return np.where(t_1 > 0.0, _pressed_maxwell(t_1, since, v, R1, R2, b, E, tau), 0.0)
 
 
-def _contact_time_maxwell(v: Array, v_2: Array, t_m: Array, E: Array, tau: Array) -> Array:
-    return end_maxwell(v_2 / v, t_m, E, tau)
+def _contact_time_maxwell(v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, tau: Array) -> Array:
+    return end_maxwell(v_2 / v, t_m, t_h, E, tau)
 
 
 def _ramp_force_kelvin_voigt(t: Array, v: Array, R1: Array, R2: Array, b: Array, E: Array, eta: Array) -> Array:
@@ -1928,28 +2068,28 @@ def _step_load_radius_kelvin_voigt(t: Array, F: Array, R1: Array, R2: Array, b: 
     return normal._radius_from_force(F * creep_kelvin_voigt(t, E, eta), R1, R2, b, 1.0)
 
 
-def _earlier_time_kelvin_voigt(t: Array, v: Array, v_2: Array, t_m: Array, E: Array, eta: Array) -> Array:
-    return earlier(t, t_m, lag_kelvin_voigt(t, t_m, v_2 / v, E, eta))
+def _earlier_time_kelvin_voigt(t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, eta: Array) -> Array:
+    return earlier(t, t_m, lag_kelvin_voigt(t, t_m, t_h, v_2 / v, E, eta))
 
 
 def _retract_radius_kelvin_voigt(
-    t: Array, v: Array, v_2: Array, t_m: Array, R1: Array, R2: Array, b: Array, E: Array, eta: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, R1: Array, R2: Array, b: Array, E: Array, eta: Array
 ) -> Array:
-    t_1 = earlier(t, t_m, lag_kelvin_voigt(t, t_m, v_2 / v, E, eta))
+    t_1 = earlier(t, t_m, lag_kelvin_voigt(t, t_m, t_h, v_2 / v, E, eta))
     return np.where(t_1 <= 0.0, 0.0, normal._radius_from_depth(v * t_1, R1, R2, b))
 
 
 def _retract_force_kelvin_voigt(
-    t: Array, v: Array, v_2: Array, t_m: Array, R1: Array, R2: Array, b: Array, E: Array, eta: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, R1: Array, R2: Array, b: Array, E: Array, eta: Array
 ) -> Array:
-    lag = lag_kelvin_voigt(t, t_m, v_2 / v, E, eta)
+    lag = lag_kelvin_voigt(t, t_m, t_h, v_2 / v, E, eta)
     t_1 = earlier(t, t_m, lag)
     back = normal._force_from_depth(v * t_1, R1, R2, b, 1.0) * E
     return np.where(t > t_m, np.where(t_1 > 0.0, back, 0.0), _ramp_force_kelvin_voigt(t, v, R1, R2, b, E, eta))
 
 
-def _contact_time_kelvin_voigt(v: Array, v_2: Array, t_m: Array, E: Array, eta: Array) -> Array:
-    return end_kelvin_voigt(v_2 / v, t_m, E, eta)
+def _contact_time_kelvin_voigt(v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, eta: Array) -> Array:
+    return end_kelvin_voigt(v_2 / v, t_m, t_h, E, eta)
 
 
 def _pressed_standard_solid(
@@ -1983,29 +2123,51 @@ def _step_load_radius_standard_solid(
 
 
 def _earlier_time_standard_solid(
-    t: Array, v: Array, v_2: Array, t_m: Array, E_inf: Array, E_1: Array, tau: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, E_inf: Array, E_1: Array, tau: Array
 ) -> Array:
-    return earlier(t, t_m, lag_standard_solid(t, t_m, v_2 / v, E_inf, E_1, tau))
+    return earlier(t, t_m, lag_standard_solid(t, t_m, t_h, v_2 / v, E_inf, E_1, tau))
 
 
 def _retract_radius_standard_solid(
-    t: Array, v: Array, v_2: Array, t_m: Array, R1: Array, R2: Array, b: Array, E_inf: Array, E_1: Array, tau: Array
+    t: Array,
+    v: Array,
+    v_2: Array,
+    t_m: Array,
+    t_h: Array,
+    R1: Array,
+    R2: Array,
+    b: Array,
+    E_inf: Array,
+    E_1: Array,
+    tau: Array,
 ) -> Array:
-    t_1 = earlier(t, t_m, lag_standard_solid(t, t_m, v_2 / v, E_inf, E_1, tau))
+    t_1 = earlier(t, t_m, lag_standard_solid(t, t_m, t_h, v_2 / v, E_inf, E_1, tau))
     return np.where(t_1 <= 0.0, 0.0, normal._radius_from_depth(v * t_1, R1, R2, b))
 
 
 def _retract_force_standard_solid(
-    t: Array, v: Array, v_2: Array, t_m: Array, R1: Array, R2: Array, b: Array, E_inf: Array, E_1: Array, tau: Array
+    t: Array,
+    v: Array,
+    v_2: Array,
+    t_m: Array,
+    t_h: Array,
+    R1: Array,
+    R2: Array,
+    b: Array,
+    E_inf: Array,
+    E_1: Array,
+    tau: Array,
 ) -> Array:
-    lag = lag_standard_solid(t, t_m, v_2 / v, E_inf, E_1, tau)
+    lag = lag_standard_solid(t, t_m, t_h, v_2 / v, E_inf, E_1, tau)
     t_1 = earlier(t, t_m, lag)
     since = np.where(t > t_m, passed(t, t_m, lag), 0.0)
     return np.where(t_1 > 0.0, _pressed_standard_solid(t_1, since, v, R1, R2, b, E_inf, E_1, tau), 0.0)
 
 
-def _contact_time_standard_solid(v: Array, v_2: Array, t_m: Array, E_inf: Array, E_1: Array, tau: Array) -> Array:
-    return end_standard_solid(v_2 / v, t_m, E_inf, E_1, tau)
+def _contact_time_standard_solid(
+    v: Array, v_2: Array, t_m: Array, t_h: Array, E_inf: Array, E_1: Array, tau: Array
+) -> Array:
+    return end_standard_solid(v_2 / v, t_m, t_h, E_inf, E_1, tau)
 
 
 def _pressed_power_creep(
@@ -2038,25 +2200,49 @@ def _step_load_radius_power_creep(
     return normal._radius_from_force(F * creep_power_creep(t, E, alpha, t_0), R1, R2, b, 1.0)
 
 
-def _earlier_time_power_creep(t: Array, v: Array, v_2: Array, t_m: Array, E: Array, alpha: Array, t_0: Array) -> Array:
-    return earlier(t, t_m, lag_power_creep(t, t_m, v_2 / v, E, alpha, t_0))
+def _earlier_time_power_creep(
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, alpha: Array, t_0: Array
+) -> Array:
+    return earlier(t, t_m, lag_power_creep(t, t_m, t_h, v_2 / v, E, alpha, t_0))
 
 
 def _retract_radius_power_creep(
-    t: Array, v: Array, v_2: Array, t_m: Array, R1: Array, R2: Array, b: Array, E: Array, alpha: Array, t_0: Array
+    t: Array,
+    v: Array,
+    v_2: Array,
+    t_m: Array,
+    t_h: Array,
+    R1: Array,
+    R2: Array,
+    b: Array,
+    E: Array,
+    alpha: Array,
+    t_0: Array,
 ) -> Array:
-    t_1 = earlier(t, t_m, lag_power_creep(t, t_m, v_2 / v, E, alpha, t_0))
+    t_1 = earlier(t, t_m, lag_power_creep(t, t_m, t_h, v_2 / v, E, alpha, t_0))
     return np.where(t_1 <= 0.0, 0.0, normal._radius_from_depth(v * t_1, R1, R2, b))
 
 
 def _retract_force_power_creep(
-    t: Array, v: Array, v_2: Array, t_m: Array, R1: Array, R2: Array, b: Array, E: Array, alpha: Array, t_0: Array
+    t: Array,
+    v: Array,
+    v_2: Array,
+    t_m: Array,
+    t_h: Array,
+    R1: Array,
+    R2: Array,
+    b: Array,
+    E: Array,
+    alpha: Array,
+    t_0: Array,
 ) -> Array:
-    lag = lag_power_creep(t, t_m, v_2 / v, E, alpha, t_0)
+    lag = lag_power_creep(t, t_m, t_h, v_2 / v, E, alpha, t_0)
     t_1 = earlier(t, t_m, lag)
     since = np.where(t > t_m, passed(t, t_m, lag), 0.0)
     return np.where(t_1 > 0.0, _pressed_power_creep(t_1, since, v, R1, R2, b, E, alpha, t_0), 0.0)
 
 
-def _contact_time_power_creep(v: Array, v_2: Array, t_m: Array, E: Array, alpha: Array, t_0: Array) -> Array:
-    return end_power_creep(v_2 / v, t_m, E, alpha, t_0)
+def _contact_time_power_creep(
+    v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, alpha: Array, t_0: Array
+) -> Array:
+    return end_power_creep(v_2 / v, t_m, t_h, E, alpha, t_0)

@@ -39,6 +39,7 @@ from .._runtime.physics.retraction import (
     lag_power_creep,
     lag_standard_solid,
     passed,
+    require_hold,
 )
 from ..normal import sextic as normal
 
@@ -131,11 +132,18 @@ def ramp_force_maxwell(t: ArrayLike, *, A: ArrayLike, v: ArrayLike, E: ArrayLike
 
 
 def earlier_time_maxwell(
-    t: ArrayLike, *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, tau: ArrayLike
+    t: ArrayLike,
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    tau: ArrayLike,
 ) -> Result:
     """Time before t at which the contact was as large on a Maxwell fluid; zero after its end.
 
-    t_1 = tau*log(1 - v_2*(exp((-t_m + t)/tau) - 1)/v) + t_m
+    t_1 = tau*log(1 - v_2*(-exp((t_h - t_m)/tau) + exp((-t_m + t)/tau))/v) + t_m
 
     Parameters
     ----------
@@ -144,9 +152,11 @@ def earlier_time_maxwell(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -164,8 +174,9 @@ def earlier_time_maxwell(
 
     Notes
     -----
-    Valid for small slopes, 6 A a^5 << 1, a ramp up to t_m and then a constant speed back, so that the contact
-    has one maximum, and no adhesion. Negative or NaN times give NaN. Handbook: sextic.vis.earlier_mx.
+    Valid for small slopes, 6 A a^5 << 1, a ramp up to t_m, a depth that is held up to t_h and then a constant
+    speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to
+    t_m it is t, and t_m while the depth is held. Handbook: sextic.vis.earlier_mx.
 
     References
     ----------
@@ -174,27 +185,32 @@ def earlier_time_maxwell(
     Examples
     --------
     >>> from axicontact.viscoelastic import sextic
-    >>> value = sextic.earlier_time_maxwell(1.0, v=0.2, v_2=0.05, t_m=0.9, E=1.0, tau=2.0)
+    >>> value = sextic.earlier_time_maxwell(1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, tau=2.0)
     >>> round(value, 6)
-    0.874199
+    0.772867
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, relaxation=tau)
-    return elementwise(_earlier_time_maxwell, t, v=v, v_2=v_2, t_m=t_m, E=E, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, relaxation=tau)
+    return elementwise(_earlier_time_maxwell, t, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, tau=tau)
 
 
-def contact_time_maxwell(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, tau: ArrayLike) -> Result:
+def contact_time_maxwell(
+    *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, t_h: ArrayLike | None = None, E: ArrayLike, tau: ArrayLike
+) -> Result:
     """Time at which the contact with a Maxwell fluid ends on the way back.
 
-    t_c = tau*log(v*(1 - exp(-t_m/tau))/v_2 + 1) + t_m
+    t_c = tau*log(v*(exp(t_m/tau) - 1)*exp(-t_h/tau)/v_2 + 1) + t_h
 
     Parameters
     ----------
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -212,8 +228,8 @@ def contact_time_maxwell(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: Arr
 
     Notes
     -----
-    Valid for small slopes, 6 A a^5 << 1, a ramp up to t_m and then a constant speed back, so that the contact
-    has one maximum, and no adhesion. Handbook: sextic.vis.end_mx.
+    Valid for small slopes, 6 A a^5 << 1, a ramp up to t_m, a depth that is held up to t_h and then a constant
+    speed back, so that the contact has one maximum, and no adhesion. Handbook: sextic.vis.end_mx.
 
     References
     ----------
@@ -222,18 +238,27 @@ def contact_time_maxwell(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: Arr
     Examples
     --------
     >>> from axicontact.viscoelastic import sextic
-    >>> value = sextic.contact_time_maxwell(v=0.2, v_2=0.05, t_m=0.9, E=1.0, tau=2.0)
+    >>> value = sextic.contact_time_maxwell(v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, tau=2.0)
     >>> round(value, 6)
-    2.691758
+    2.525772
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, relaxation=tau)
-    return elementwise(_contact_time_maxwell, v=v, v_2=v_2, t_m=t_m, E=E, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, relaxation=tau)
+    return elementwise(_contact_time_maxwell, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, tau=tau)
 
 
 def retract_force_maxwell(
-    t: ArrayLike, *, A: ArrayLike, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, tau: ArrayLike
+    t: ArrayLike,
+    *,
+    A: ArrayLike,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    tau: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a Maxwell fluid, pressed in at v until t_m, then back at v_2.
+    """Normal force at time t on a Maxwell fluid, pressed in at v until t_m, from t_h on back at v_2.
 
     F = 6*2**(1/3)*5**(1/6)*E*t_1**(7/6)*v**(7/6)*exp((t_1 - t)/tau)*1F1(1, 13/6,
     -t_1/tau)/(7*A**(1/6))
@@ -248,9 +273,11 @@ def retract_force_maxwell(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -268,9 +295,10 @@ def retract_force_maxwell(
 
     Notes
     -----
-    Valid for small slopes, 6 A a^5 << 1, a ramp up to t_m and then a constant speed back, so that the contact
-    has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_maxwell; up to
-    t_m it is t, and the force that of the ramp. Handbook: sextic.vis.retract_mx.
+    Valid for small slopes, 6 A a^5 << 1, a ramp up to t_m, a depth that is held up to t_h and then a constant
+    speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1
+    is earlier_time_maxwell; up to t_m it is t, and the force that of the ramp. Handbook:
+    sextic.vis.retract_mx.
 
     References
     ----------
@@ -279,18 +307,27 @@ def retract_force_maxwell(
     Examples
     --------
     >>> from axicontact.viscoelastic import sextic
-    >>> value = sextic.retract_force_maxwell(1.0, A=0.4, v=0.2, v_2=0.05, t_m=0.9, E=1.0, tau=2.0)
+    >>> value = sextic.retract_force_maxwell(1.0, A=0.4, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, tau=2.0)
     >>> round(value, 6)
-    0.166315
+    0.139945
     """
-    require(A=A, v=v, v_2=v_2, t_m=t_m, E=E, relaxation=tau)
-    return elementwise(_retract_force_maxwell, t, A=A, v=v, v_2=v_2, t_m=t_m, E=E, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(A=A, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, relaxation=tau)
+    return elementwise(_retract_force_maxwell, t, A=A, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, tau=tau)
 
 
 def retract_radius_maxwell(
-    t: ArrayLike, *, A: ArrayLike, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, tau: ArrayLike
+    t: ArrayLike,
+    *,
+    A: ArrayLike,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    tau: ArrayLike,
 ) -> Result:
-    """Contact radius at time t on a Maxwell fluid, pressed in at v until t_m, then back at v_2.
+    """Contact radius at time t on a Maxwell fluid, pressed in at v until t_m, from t_h on back at v_2.
 
     a = 2**(1/3)*5**(1/6)*t_1**(1/6)*v**(1/6)/(2*A**(1/6))
 
@@ -303,9 +340,11 @@ def retract_radius_maxwell(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -323,9 +362,10 @@ def retract_radius_maxwell(
 
     Notes
     -----
-    Valid for small slopes, 6 A a^5 << 1, a ramp up to t_m and then a constant speed back, so that the contact
-    has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_maxwell; up to
-    t_m it is t, and the force that of the ramp. Handbook: sextic.vis.radius_mx.
+    Valid for small slopes, 6 A a^5 << 1, a ramp up to t_m, a depth that is held up to t_h and then a constant
+    speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1
+    is earlier_time_maxwell; up to t_m it is t, and the force that of the ramp. Handbook:
+    sextic.vis.radius_mx.
 
     References
     ----------
@@ -334,12 +374,13 @@ def retract_radius_maxwell(
     Examples
     --------
     >>> from axicontact.viscoelastic import sextic
-    >>> value = sextic.retract_radius_maxwell(1.0, A=0.4, v=0.2, v_2=0.05, t_m=0.9, E=1.0, tau=2.0)
+    >>> value = sextic.retract_radius_maxwell(1.0, A=0.4, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, tau=2.0)
     >>> round(value, 6)
-    0.717637
+    0.703052
     """
-    require(A=A, v=v, v_2=v_2, t_m=t_m, E=E, relaxation=tau)
-    return elementwise(_retract_radius_maxwell, t, A=A, v=v, v_2=v_2, t_m=t_m, E=E, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(A=A, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, relaxation=tau)
+    return elementwise(_retract_radius_maxwell, t, A=A, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, tau=tau)
 
 
 def step_force_maxwell(t: ArrayLike, *, d: ArrayLike, A: ArrayLike, E: ArrayLike, tau: ArrayLike) -> Result:
@@ -487,11 +528,18 @@ def ramp_force_kelvin_voigt(t: ArrayLike, *, A: ArrayLike, v: ArrayLike, E: Arra
 
 
 def earlier_time_kelvin_voigt(
-    t: ArrayLike, *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, eta: ArrayLike
+    t: ArrayLike,
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    eta: ArrayLike,
 ) -> Result:
     """Time before t at which the contact was as large on a Kelvin-Voigt solid; zero after its end.
 
-    t_1 = t_m - v_2*(-t_m + t + eta/E)/v
+    t_1 = t_m - v_2*(-t_h + t + eta/E)/v
 
     Parameters
     ----------
@@ -500,9 +548,11 @@ def earlier_time_kelvin_voigt(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -520,8 +570,9 @@ def earlier_time_kelvin_voigt(
 
     Notes
     -----
-    Valid for small slopes, 6 A a^5 << 1, a ramp up to t_m and then a constant speed back, so that the contact
-    has one maximum, and no adhesion. Negative or NaN times give NaN. Handbook: sextic.vis.earlier_kv.
+    Valid for small slopes, 6 A a^5 << 1, a ramp up to t_m, a depth that is held up to t_h and then a constant
+    speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to
+    t_m it is t, and t_m while the depth is held. Handbook: sextic.vis.earlier_kv.
 
     References
     ----------
@@ -530,27 +581,32 @@ def earlier_time_kelvin_voigt(
     Examples
     --------
     >>> from axicontact.viscoelastic import sextic
-    >>> value = sextic.earlier_time_kelvin_voigt(1.0, v=0.2, v_2=0.05, t_m=0.9, E=1.0, eta=1.5)
+    >>> value = sextic.earlier_time_kelvin_voigt(1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, eta=1.5)
     >>> round(value, 6)
-    0.5
+    0.4
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
-    return elementwise(_earlier_time_kelvin_voigt, t, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
+    return elementwise(_earlier_time_kelvin_voigt, t, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
 
 
-def contact_time_kelvin_voigt(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, eta: ArrayLike) -> Result:
+def contact_time_kelvin_voigt(
+    *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, t_h: ArrayLike | None = None, E: ArrayLike, eta: ArrayLike
+) -> Result:
     """Time at which the contact with a Kelvin-Voigt solid ends on the way back.
 
-    t_c = t_m*v/v_2 + t_m - eta/E
+    t_c = t_h + t_m*v/v_2 - eta/E
 
     Parameters
     ----------
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -568,8 +624,8 @@ def contact_time_kelvin_voigt(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E
 
     Notes
     -----
-    Valid for small slopes, 6 A a^5 << 1, a ramp up to t_m and then a constant speed back, so that the contact
-    has one maximum, and no adhesion. Handbook: sextic.vis.end_kv.
+    Valid for small slopes, 6 A a^5 << 1, a ramp up to t_m, a depth that is held up to t_h and then a constant
+    speed back, so that the contact has one maximum, and no adhesion. Handbook: sextic.vis.end_kv.
 
     References
     ----------
@@ -578,18 +634,27 @@ def contact_time_kelvin_voigt(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E
     Examples
     --------
     >>> from axicontact.viscoelastic import sextic
-    >>> value = sextic.contact_time_kelvin_voigt(v=0.2, v_2=0.05, t_m=0.9, E=1.0, eta=1.5)
+    >>> value = sextic.contact_time_kelvin_voigt(v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, eta=1.5)
     >>> round(value, 6)
-    3.0
+    2.6
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
-    return elementwise(_contact_time_kelvin_voigt, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
+    return elementwise(_contact_time_kelvin_voigt, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
 
 
 def retract_force_kelvin_voigt(
-    t: ArrayLike, *, A: ArrayLike, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, eta: ArrayLike
+    t: ArrayLike,
+    *,
+    A: ArrayLike,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    eta: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a Kelvin-Voigt solid, pressed in at v until t_m, then back at v_2.
+    """Normal force at time t on a Kelvin-Voigt solid, pressed in at v until t_m, from t_h on back at v_2.
 
     F = 6*2**(1/3)*5**(1/6)*E*t_1**(7/6)*v**(7/6)/(7*A**(1/6))
 
@@ -602,9 +667,11 @@ def retract_force_kelvin_voigt(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -622,9 +689,10 @@ def retract_force_kelvin_voigt(
 
     Notes
     -----
-    Valid for small slopes, 6 A a^5 << 1, a ramp up to t_m and then a constant speed back, so that the contact
-    has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_kelvin_voigt;
-    up to t_m it is t, and the force that of the ramp. Handbook: sextic.vis.retract_kv.
+    Valid for small slopes, 6 A a^5 << 1, a ramp up to t_m, a depth that is held up to t_h and then a constant
+    speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1
+    is earlier_time_kelvin_voigt; up to t_m it is t, and the force that of the ramp. Handbook:
+    sextic.vis.retract_kv.
 
     References
     ----------
@@ -633,18 +701,27 @@ def retract_force_kelvin_voigt(
     Examples
     --------
     >>> from axicontact.viscoelastic import sextic
-    >>> value = sextic.retract_force_kelvin_voigt(1.0, A=0.4, v=0.2, v_2=0.05, t_m=0.9, E=1.0, eta=1.5)
+    >>> value = sextic.retract_force_kelvin_voigt(1.0, A=0.4, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, eta=1.5)
     >>> round(value, 6)
-    0.112085
+    0.086395
     """
-    require(A=A, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
-    return elementwise(_retract_force_kelvin_voigt, t, A=A, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
+    t_h = require_hold(t_m, t_h)
+    require(A=A, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
+    return elementwise(_retract_force_kelvin_voigt, t, A=A, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
 
 
 def retract_radius_kelvin_voigt(
-    t: ArrayLike, *, A: ArrayLike, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, eta: ArrayLike
+    t: ArrayLike,
+    *,
+    A: ArrayLike,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    eta: ArrayLike,
 ) -> Result:
-    """Contact radius at time t on a Kelvin-Voigt solid, pressed in at v until t_m, then back at v_2.
+    """Contact radius at time t on a Kelvin-Voigt solid, pressed in at v until t_m, from t_h on back at v_2.
 
     a = 2**(1/3)*5**(1/6)*t_1**(1/6)*v**(1/6)/(2*A**(1/6))
 
@@ -657,9 +734,11 @@ def retract_radius_kelvin_voigt(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -677,9 +756,10 @@ def retract_radius_kelvin_voigt(
 
     Notes
     -----
-    Valid for small slopes, 6 A a^5 << 1, a ramp up to t_m and then a constant speed back, so that the contact
-    has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_kelvin_voigt;
-    up to t_m it is t, and the force that of the ramp. Handbook: sextic.vis.radius_kv.
+    Valid for small slopes, 6 A a^5 << 1, a ramp up to t_m, a depth that is held up to t_h and then a constant
+    speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1
+    is earlier_time_kelvin_voigt; up to t_m it is t, and the force that of the ramp. Handbook:
+    sextic.vis.radius_kv.
 
     References
     ----------
@@ -688,12 +768,13 @@ def retract_radius_kelvin_voigt(
     Examples
     --------
     >>> from axicontact.viscoelastic import sextic
-    >>> value = sextic.retract_radius_kelvin_voigt(1.0, A=0.4, v=0.2, v_2=0.05, t_m=0.9, E=1.0, eta=1.5)
+    >>> value = sextic.retract_radius_kelvin_voigt(1.0, A=0.4, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, eta=1.5)
     >>> round(value, 6)
-    0.65383
+    0.629961
     """
-    require(A=A, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
-    return elementwise(_retract_radius_kelvin_voigt, t, A=A, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
+    t_h = require_hold(t_m, t_h)
+    require(A=A, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
+    return elementwise(_retract_radius_kelvin_voigt, t, A=A, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
 
 
 def step_force_kelvin_voigt(t: ArrayLike, *, d: ArrayLike, A: ArrayLike, E: ArrayLike, eta: ArrayLike) -> Result:
@@ -846,12 +927,21 @@ def ramp_force_standard_solid(
 
 
 def earlier_time_standard_solid(
-    t: ArrayLike, *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E_inf: ArrayLike, E_1: ArrayLike, tau: ArrayLike
+    t: ArrayLike,
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E_inf: ArrayLike,
+    E_1: ArrayLike,
+    tau: ArrayLike,
 ) -> Result:
     """Time before t at which the contact was as large on a standard solid; zero after its end.
 
-    t_1 from E_1*tau*(1 - exp(-(-t_1 + t)/tau)) + E_inf*(-t_1 + t) = (1 +
-    v_2/v)*(E_1*tau*(1 - exp(-(-t_m + t)/tau)) + E_inf*(-t_m + t))
+    t_1 from E_1*tau*(1 - exp(-(-t_1 + t)/tau)) + E_inf*(-t_1 + t) = E_1*tau*(1 -
+    exp(-(-t_m + t)/tau)) + E_inf*(-t_m + t) + v_2*(E_1*tau*(1 - exp(-(-t_h +
+    t)/tau)) + E_inf*(-t_h + t))/v
 
     Parameters
     ----------
@@ -860,9 +950,11 @@ def earlier_time_standard_solid(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -882,8 +974,9 @@ def earlier_time_standard_solid(
 
     Notes
     -----
-    Valid for small slopes, 6 A a^5 << 1, a ramp up to t_m and then a constant speed back, so that the contact
-    has one maximum, and no adhesion. Negative or NaN times give NaN. Handbook: sextic.vis.earlier_sls.
+    Valid for small slopes, 6 A a^5 << 1, a ramp up to t_m, a depth that is held up to t_h and then a constant
+    speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to
+    t_m it is t, and t_m while the depth is held. Handbook: sextic.vis.earlier_sls.
 
     References
     ----------
@@ -892,30 +985,43 @@ def earlier_time_standard_solid(
     Examples
     --------
     >>> from axicontact.viscoelastic import sextic
-    >>> value = sextic.earlier_time_standard_solid(1.0, v=0.2, v_2=0.05, t_m=0.9, E_inf=0.4, E_1=0.6, tau=2.0)
+    >>> value = sextic.earlier_time_standard_solid(
+    ...     1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E_inf=0.4, E_1=0.6, tau=2.0
+    ... )
     >>> round(value, 6)
-    0.874531
+    0.773779
     """
-    require(v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, relaxation=tau)
-    return elementwise(_earlier_time_standard_solid, t, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, relaxation=tau)
+    return elementwise(_earlier_time_standard_solid, t, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, tau=tau)
 
 
 def contact_time_standard_solid(
-    *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E_inf: ArrayLike, E_1: ArrayLike, tau: ArrayLike
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E_inf: ArrayLike,
+    E_1: ArrayLike,
+    tau: ArrayLike,
 ) -> Result:
     """Time at which the contact with a standard solid ends on the way back.
 
-    t_c from E_1*tau*(1 - exp(-t_c/tau)) + E_inf*t_c = (1 + v_2/v)*(E_1*tau*(1 -
-    exp(-(t_c - t_m)/tau)) + E_inf*(t_c - t_m))
+    t_c from E_1*tau*(1 - exp(-t_c/tau)) + E_inf*t_c = E_1*tau*(1 - exp(-(t_c -
+    t_m)/tau)) + E_inf*(t_c - t_m) + v_2*(E_1*tau*(1 - exp(-(t_c - t_h)/tau)) +
+    E_inf*(t_c - t_h))/v
 
     Parameters
     ----------
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -935,8 +1041,8 @@ def contact_time_standard_solid(
 
     Notes
     -----
-    Valid for small slopes, 6 A a^5 << 1, a ramp up to t_m and then a constant speed back, so that the contact
-    has one maximum, and no adhesion. Handbook: sextic.vis.end_sls.
+    Valid for small slopes, 6 A a^5 << 1, a ramp up to t_m, a depth that is held up to t_h and then a constant
+    speed back, so that the contact has one maximum, and no adhesion. Handbook: sextic.vis.end_sls.
 
     References
     ----------
@@ -945,12 +1051,13 @@ def contact_time_standard_solid(
     Examples
     --------
     >>> from axicontact.viscoelastic import sextic
-    >>> value = sextic.contact_time_standard_solid(v=0.2, v_2=0.05, t_m=0.9, E_inf=0.4, E_1=0.6, tau=2.0)
+    >>> value = sextic.contact_time_standard_solid(v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E_inf=0.4, E_1=0.6, tau=2.0)
     >>> round(value, 6)
-    3.501344
+    3.220085
     """
-    require(v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, relaxation=tau)
-    return elementwise(_contact_time_standard_solid, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, relaxation=tau)
+    return elementwise(_contact_time_standard_solid, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, tau=tau)
 
 
 def retract_force_standard_solid(
@@ -960,11 +1067,12 @@ def retract_force_standard_solid(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E_inf: ArrayLike,
     E_1: ArrayLike,
     tau: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a standard solid, pressed in at v until t_m, then back at v_2.
+    """Normal force at time t on a standard solid, pressed in at v until t_m, from t_h on back at v_2.
 
     F = 6*2**(1/3)*5**(1/6)*t_1**(7/6)*v**(7/6)*(E_1*exp((t_1 - t)/tau)*1F1(1, 13/6,
     -t_1/tau) + E_inf)/(7*A**(1/6))
@@ -979,9 +1087,11 @@ def retract_force_standard_solid(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -1001,9 +1111,10 @@ def retract_force_standard_solid(
 
     Notes
     -----
-    Valid for small slopes, 6 A a^5 << 1, a ramp up to t_m and then a constant speed back, so that the contact
-    has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_standard_solid;
-    up to t_m it is t, and the force that of the ramp. Handbook: sextic.vis.retract_sls.
+    Valid for small slopes, 6 A a^5 << 1, a ramp up to t_m, a depth that is held up to t_h and then a constant
+    speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1
+    is earlier_time_standard_solid; up to t_m it is t, and the force that of the ramp. Handbook:
+    sextic.vis.retract_sls.
 
     References
     ----------
@@ -1013,13 +1124,16 @@ def retract_force_standard_solid(
     --------
     >>> from axicontact.viscoelastic import sextic
     >>> value = sextic.retract_force_standard_solid(
-    ...     1.0, A=0.4, v=0.2, v_2=0.05, t_m=0.9, E_inf=0.4, E_1=0.6, tau=2.0
+    ...     1.0, A=0.4, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E_inf=0.4, E_1=0.6, tau=2.0
     ... )
     >>> round(value, 6)
-    0.185919
+    0.158725
     """
-    require(A=A, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, relaxation=tau)
-    return elementwise(_retract_force_standard_solid, t, A=A, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(A=A, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, relaxation=tau)
+    return elementwise(
+        _retract_force_standard_solid, t, A=A, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, tau=tau
+    )
 
 
 def retract_radius_standard_solid(
@@ -1029,11 +1143,12 @@ def retract_radius_standard_solid(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E_inf: ArrayLike,
     E_1: ArrayLike,
     tau: ArrayLike,
 ) -> Result:
-    """Contact radius at time t on a standard solid, pressed in at v until t_m, then back at v_2.
+    """Contact radius at time t on a standard solid, pressed in at v until t_m, from t_h on back at v_2.
 
     a = 2**(1/3)*5**(1/6)*t_1**(1/6)*v**(1/6)/(2*A**(1/6))
 
@@ -1046,9 +1161,11 @@ def retract_radius_standard_solid(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -1068,9 +1185,10 @@ def retract_radius_standard_solid(
 
     Notes
     -----
-    Valid for small slopes, 6 A a^5 << 1, a ramp up to t_m and then a constant speed back, so that the contact
-    has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_standard_solid;
-    up to t_m it is t, and the force that of the ramp. Handbook: sextic.vis.radius_sls.
+    Valid for small slopes, 6 A a^5 << 1, a ramp up to t_m, a depth that is held up to t_h and then a constant
+    speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1
+    is earlier_time_standard_solid; up to t_m it is t, and the force that of the ramp. Handbook:
+    sextic.vis.radius_sls.
 
     References
     ----------
@@ -1080,13 +1198,16 @@ def retract_radius_standard_solid(
     --------
     >>> from axicontact.viscoelastic import sextic
     >>> value = sextic.retract_radius_standard_solid(
-    ...     1.0, A=0.4, v=0.2, v_2=0.05, t_m=0.9, E_inf=0.4, E_1=0.6, tau=2.0
+    ...     1.0, A=0.4, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E_inf=0.4, E_1=0.6, tau=2.0
     ... )
     >>> round(value, 6)
-    0.717683
+    0.70319
     """
-    require(A=A, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, relaxation=tau)
-    return elementwise(_retract_radius_standard_solid, t, A=A, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(A=A, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, relaxation=tau)
+    return elementwise(
+        _retract_radius_standard_solid, t, A=A, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, tau=tau
+    )
 
 
 def step_force_standard_solid(
@@ -1248,11 +1369,19 @@ def ramp_force_power_creep(
 
 
 def earlier_time_power_creep(
-    t: ArrayLike, *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, alpha: ArrayLike, t_0: ArrayLike
+    t: ArrayLike,
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    alpha: ArrayLike,
+    t_0: ArrayLike,
 ) -> Result:
     """Time before t at which the contact was as large on a material of power-law creep; zero after its end.
 
-    t_1 = t - (1 + v_2/v)**(1/(1 - alpha))*(-t_m + t)
+    t_1 = t - (1 + v_2*((-t_m + t)/(-t_h + t))**(alpha - 1)/v)**(1/(1 - alpha))*(-t_m + t)
 
     Parameters
     ----------
@@ -1261,9 +1390,11 @@ def earlier_time_power_creep(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1283,8 +1414,9 @@ def earlier_time_power_creep(
 
     Notes
     -----
-    Valid for small slopes, 6 A a^5 << 1, a ramp up to t_m and then a constant speed back, so that the contact
-    has one maximum, and no adhesion. Negative or NaN times give NaN. Handbook: sextic.vis.earlier_pc.
+    Valid for small slopes, 6 A a^5 << 1, a ramp up to t_m, a depth that is held up to t_h and then a constant
+    speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to
+    t_m it is t, and t_m while the depth is held. Handbook: sextic.vis.earlier_pc.
 
     References
     ----------
@@ -1293,29 +1425,41 @@ def earlier_time_power_creep(
     Examples
     --------
     >>> from axicontact.viscoelastic import sextic
-    >>> value = sextic.earlier_time_power_creep(1.0, v=0.2, v_2=0.05, t_m=0.9, E=1.0, alpha=0.25, t_0=1.0)
+    >>> value = sextic.earlier_time_power_creep(1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, alpha=0.25, t_0=1.0)
     >>> round(value, 6)
-    0.865348
+    0.759408
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
-    return elementwise(_earlier_time_power_creep, t, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
+    return elementwise(_earlier_time_power_creep, t, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
 
 
 def contact_time_power_creep(
-    *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, alpha: ArrayLike, t_0: ArrayLike
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    alpha: ArrayLike,
+    t_0: ArrayLike,
 ) -> Result:
     """Time at which the contact with a material of power-law creep ends on the way back.
 
-    t_c = t_m + t_m/((1 + v_2/v)**(1/(1 - alpha)) - 1)
+    t_c from E*t_0**alpha*t_c**(1 - alpha)/((1 - alpha)*gamma(1 - alpha)*gamma(alpha + 1)) = E*t_0**alpha*(t_c
+    - t_m)**(1 - alpha)/((1 - alpha)*gamma(1 - alpha)*gamma(alpha + 1)) + E*t_0**alpha*v_2*(t_c - t_h)**(1 -
+    alpha)/(v*(1 - alpha)*gamma(1 - alpha)*gamma(alpha + 1))
 
     Parameters
     ----------
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1335,8 +1479,8 @@ def contact_time_power_creep(
 
     Notes
     -----
-    Valid for small slopes, 6 A a^5 << 1, a ramp up to t_m and then a constant speed back, so that the contact
-    has one maximum, and no adhesion. Handbook: sextic.vis.end_pc.
+    Valid for small slopes, 6 A a^5 << 1, a ramp up to t_m, a depth that is held up to t_h and then a constant
+    speed back, so that the contact has one maximum, and no adhesion. Handbook: sextic.vis.end_pc.
 
     References
     ----------
@@ -1345,12 +1489,13 @@ def contact_time_power_creep(
     Examples
     --------
     >>> from axicontact.viscoelastic import sextic
-    >>> value = sextic.contact_time_power_creep(v=0.2, v_2=0.05, t_m=0.9, E=1.0, alpha=0.25, t_0=1.0)
+    >>> value = sextic.contact_time_power_creep(v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, alpha=0.25, t_0=1.0)
     >>> round(value, 6)
-    3.49724
+    3.186706
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
-    return elementwise(_contact_time_power_creep, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
+    return elementwise(_contact_time_power_creep, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
 
 
 def retract_force_power_creep(
@@ -1360,11 +1505,12 @@ def retract_force_power_creep(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E: ArrayLike,
     alpha: ArrayLike,
     t_0: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a material of power-law creep, pressed in at v until t_m, then back at v_2.
+    """Normal force at time t on a material of power-law creep, pressed in at v until t_m, from t_h on back at v_2.
 
     F = 2**(1/3)*5**(1/6)*E*t_0**alpha*t**(7/6 - alpha)*v**(7/6)*IncompleteBeta(t_1/t, 7/6, 1 -
     alpha)/(A**(1/6)*gamma(1 - alpha)*gamma(alpha + 1))
@@ -1380,9 +1526,11 @@ def retract_force_power_creep(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1402,9 +1550,10 @@ def retract_force_power_creep(
 
     Notes
     -----
-    Valid for small slopes, 6 A a^5 << 1, a ramp up to t_m and then a constant speed back, so that the contact
-    has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_power_creep; up
-    to t_m it is t, and the force that of the ramp. Handbook: sextic.vis.retract_pc.
+    Valid for small slopes, 6 A a^5 << 1, a ramp up to t_m, a depth that is held up to t_h and then a constant
+    speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1
+    is earlier_time_power_creep; up to t_m it is t, and the force that of the ramp. Handbook:
+    sextic.vis.retract_pc.
 
     References
     ----------
@@ -1413,12 +1562,15 @@ def retract_force_power_creep(
     Examples
     --------
     >>> from axicontact.viscoelastic import sextic
-    >>> value = sextic.retract_force_power_creep(1.0, A=0.4, v=0.2, v_2=0.05, t_m=0.9, E=1.0, alpha=0.25, t_0=1.0)
+    >>> value = sextic.retract_force_power_creep(
+    ...     1.0, A=0.4, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, alpha=0.25, t_0=1.0
+    ... )
     >>> round(value, 6)
-    0.23298
+    0.191702
     """
-    require(A=A, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
-    return elementwise(_retract_force_power_creep, t, A=A, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
+    t_h = require_hold(t_m, t_h)
+    require(A=A, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
+    return elementwise(_retract_force_power_creep, t, A=A, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
 
 
 def retract_radius_power_creep(
@@ -1428,11 +1580,12 @@ def retract_radius_power_creep(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E: ArrayLike,
     alpha: ArrayLike,
     t_0: ArrayLike,
 ) -> Result:
-    """Contact radius at time t on a material of power-law creep, pressed in at v until t_m, then back at v_2.
+    """Contact radius at time t on a material of power-law creep, pressed in at v until t_m, from t_h on back at v_2.
 
     a = 2**(1/3)*5**(1/6)*t_1**(1/6)*v**(1/6)/(2*A**(1/6))
 
@@ -1445,9 +1598,11 @@ def retract_radius_power_creep(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1467,9 +1622,10 @@ def retract_radius_power_creep(
 
     Notes
     -----
-    Valid for small slopes, 6 A a^5 << 1, a ramp up to t_m and then a constant speed back, so that the contact
-    has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is earlier_time_power_creep; up
-    to t_m it is t, and the force that of the ramp. Handbook: sextic.vis.radius_pc.
+    Valid for small slopes, 6 A a^5 << 1, a ramp up to t_m, a depth that is held up to t_h and then a constant
+    speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1
+    is earlier_time_power_creep; up to t_m it is t, and the force that of the ramp. Handbook:
+    sextic.vis.radius_pc.
 
     References
     ----------
@@ -1478,12 +1634,15 @@ def retract_radius_power_creep(
     Examples
     --------
     >>> from axicontact.viscoelastic import sextic
-    >>> value = sextic.retract_radius_power_creep(1.0, A=0.4, v=0.2, v_2=0.05, t_m=0.9, E=1.0, alpha=0.25, t_0=1.0)
+    >>> value = sextic.retract_radius_power_creep(
+    ...     1.0, A=0.4, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, alpha=0.25, t_0=1.0
+    ... )
     >>> round(value, 6)
-    0.716421
+    0.700997
     """
-    require(A=A, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
-    return elementwise(_retract_radius_power_creep, t, A=A, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
+    t_h = require_hold(t_m, t_h)
+    require(A=A, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
+    return elementwise(_retract_radius_power_creep, t, A=A, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
 
 
 def step_force_power_creep(
@@ -1603,17 +1762,21 @@ def _step_load_radius_maxwell(t: Array, F: Array, A: Array, E: Array, tau: Array
     return normal._radius_from_force(F * creep_maxwell(t, E, tau), A, 1.0)
 
 
-def _earlier_time_maxwell(t: Array, v: Array, v_2: Array, t_m: Array, E: Array, tau: Array) -> Array:
-    return earlier(t, t_m, lag_maxwell(t, t_m, v_2 / v, E, tau))
+def _earlier_time_maxwell(t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, tau: Array) -> Array:
+    return earlier(t, t_m, lag_maxwell(t, t_m, t_h, v_2 / v, E, tau))
 
 
-def _retract_radius_maxwell(t: Array, v: Array, v_2: Array, t_m: Array, A: Array, E: Array, tau: Array) -> Array:
-    t_1 = earlier(t, t_m, lag_maxwell(t, t_m, v_2 / v, E, tau))
+def _retract_radius_maxwell(
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, A: Array, E: Array, tau: Array
+) -> Array:
+    t_1 = earlier(t, t_m, lag_maxwell(t, t_m, t_h, v_2 / v, E, tau))
     return np.where(t_1 <= 0.0, 0.0, normal._radius_from_depth(v * t_1, A))
 
 
-def _retract_force_maxwell(t: Array, v: Array, v_2: Array, t_m: Array, A: Array, E: Array, tau: Array) -> Array:
-    lag = lag_maxwell(t, t_m, v_2 / v, E, tau)
+def _retract_force_maxwell(
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, A: Array, E: Array, tau: Array
+) -> Array:
+    lag = lag_maxwell(t, t_m, t_h, v_2 / v, E, tau)
     t_1 = earlier(t, t_m, lag)
     back = normal._force_from_depth(v * t_1, A, 1.0) * kept_maxwell(
         t, t_1, passed(t, t_m, lag), 1.1666666666666667, E, tau
@@ -1621,8 +1784,8 @@ def _retract_force_maxwell(t: Array, v: Array, v_2: Array, t_m: Array, A: Array,
     return np.where(t > t_m, np.where(t_1 > 0.0, back, 0.0), _ramp_force_maxwell(t, v, A, E, tau))
 
 
-def _contact_time_maxwell(v: Array, v_2: Array, t_m: Array, E: Array, tau: Array) -> Array:
-    return end_maxwell(v_2 / v, t_m, E, tau)
+def _contact_time_maxwell(v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, tau: Array) -> Array:
+    return end_maxwell(v_2 / v, t_m, t_h, E, tau)
 
 
 def _ramp_force_kelvin_voigt(t: Array, v: Array, A: Array, E: Array, eta: Array) -> Array:
@@ -1638,17 +1801,21 @@ def _step_load_radius_kelvin_voigt(t: Array, F: Array, A: Array, E: Array, eta: 
     return normal._radius_from_force(F * creep_kelvin_voigt(t, E, eta), A, 1.0)
 
 
-def _earlier_time_kelvin_voigt(t: Array, v: Array, v_2: Array, t_m: Array, E: Array, eta: Array) -> Array:
-    return earlier(t, t_m, lag_kelvin_voigt(t, t_m, v_2 / v, E, eta))
+def _earlier_time_kelvin_voigt(t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, eta: Array) -> Array:
+    return earlier(t, t_m, lag_kelvin_voigt(t, t_m, t_h, v_2 / v, E, eta))
 
 
-def _retract_radius_kelvin_voigt(t: Array, v: Array, v_2: Array, t_m: Array, A: Array, E: Array, eta: Array) -> Array:
-    t_1 = earlier(t, t_m, lag_kelvin_voigt(t, t_m, v_2 / v, E, eta))
+def _retract_radius_kelvin_voigt(
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, A: Array, E: Array, eta: Array
+) -> Array:
+    t_1 = earlier(t, t_m, lag_kelvin_voigt(t, t_m, t_h, v_2 / v, E, eta))
     return np.where(t_1 <= 0.0, 0.0, normal._radius_from_depth(v * t_1, A))
 
 
-def _retract_force_kelvin_voigt(t: Array, v: Array, v_2: Array, t_m: Array, A: Array, E: Array, eta: Array) -> Array:
-    lag = lag_kelvin_voigt(t, t_m, v_2 / v, E, eta)
+def _retract_force_kelvin_voigt(
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, A: Array, E: Array, eta: Array
+) -> Array:
+    lag = lag_kelvin_voigt(t, t_m, t_h, v_2 / v, E, eta)
     t_1 = earlier(t, t_m, lag)
     back = normal._force_from_depth(v * t_1, A, 1.0) * kept_kelvin_voigt(
         t, t_1, passed(t, t_m, lag), 1.1666666666666667, E, eta
@@ -1656,8 +1823,8 @@ def _retract_force_kelvin_voigt(t: Array, v: Array, v_2: Array, t_m: Array, A: A
     return np.where(t > t_m, np.where(t_1 > 0.0, back, 0.0), _ramp_force_kelvin_voigt(t, v, A, E, eta))
 
 
-def _contact_time_kelvin_voigt(v: Array, v_2: Array, t_m: Array, E: Array, eta: Array) -> Array:
-    return end_kelvin_voigt(v_2 / v, t_m, E, eta)
+def _contact_time_kelvin_voigt(v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, eta: Array) -> Array:
+    return end_kelvin_voigt(v_2 / v, t_m, t_h, E, eta)
 
 
 def _ramp_force_standard_solid(t: Array, v: Array, A: Array, E_inf: Array, E_1: Array, tau: Array) -> Array:
@@ -1674,22 +1841,22 @@ def _step_load_radius_standard_solid(t: Array, F: Array, A: Array, E_inf: Array,
 
 
 def _earlier_time_standard_solid(
-    t: Array, v: Array, v_2: Array, t_m: Array, E_inf: Array, E_1: Array, tau: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, E_inf: Array, E_1: Array, tau: Array
 ) -> Array:
-    return earlier(t, t_m, lag_standard_solid(t, t_m, v_2 / v, E_inf, E_1, tau))
+    return earlier(t, t_m, lag_standard_solid(t, t_m, t_h, v_2 / v, E_inf, E_1, tau))
 
 
 def _retract_radius_standard_solid(
-    t: Array, v: Array, v_2: Array, t_m: Array, A: Array, E_inf: Array, E_1: Array, tau: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, A: Array, E_inf: Array, E_1: Array, tau: Array
 ) -> Array:
-    t_1 = earlier(t, t_m, lag_standard_solid(t, t_m, v_2 / v, E_inf, E_1, tau))
+    t_1 = earlier(t, t_m, lag_standard_solid(t, t_m, t_h, v_2 / v, E_inf, E_1, tau))
     return np.where(t_1 <= 0.0, 0.0, normal._radius_from_depth(v * t_1, A))
 
 
 def _retract_force_standard_solid(
-    t: Array, v: Array, v_2: Array, t_m: Array, A: Array, E_inf: Array, E_1: Array, tau: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, A: Array, E_inf: Array, E_1: Array, tau: Array
 ) -> Array:
-    lag = lag_standard_solid(t, t_m, v_2 / v, E_inf, E_1, tau)
+    lag = lag_standard_solid(t, t_m, t_h, v_2 / v, E_inf, E_1, tau)
     t_1 = earlier(t, t_m, lag)
     back = normal._force_from_depth(v * t_1, A, 1.0) * kept_standard_solid(
         t, t_1, passed(t, t_m, lag), 1.1666666666666667, E_inf, E_1, tau
@@ -1697,8 +1864,10 @@ def _retract_force_standard_solid(
     return np.where(t > t_m, np.where(t_1 > 0.0, back, 0.0), _ramp_force_standard_solid(t, v, A, E_inf, E_1, tau))
 
 
-def _contact_time_standard_solid(v: Array, v_2: Array, t_m: Array, E_inf: Array, E_1: Array, tau: Array) -> Array:
-    return end_standard_solid(v_2 / v, t_m, E_inf, E_1, tau)
+def _contact_time_standard_solid(
+    v: Array, v_2: Array, t_m: Array, t_h: Array, E_inf: Array, E_1: Array, tau: Array
+) -> Array:
+    return end_standard_solid(v_2 / v, t_m, t_h, E_inf, E_1, tau)
 
 
 def _ramp_force_power_creep(t: Array, v: Array, A: Array, E: Array, alpha: Array, t_0: Array) -> Array:
@@ -1714,21 +1883,23 @@ def _step_load_radius_power_creep(t: Array, F: Array, A: Array, E: Array, alpha:
     return normal._radius_from_force(F * creep_power_creep(t, E, alpha, t_0), A, 1.0)
 
 
-def _earlier_time_power_creep(t: Array, v: Array, v_2: Array, t_m: Array, E: Array, alpha: Array, t_0: Array) -> Array:
-    return earlier(t, t_m, lag_power_creep(t, t_m, v_2 / v, E, alpha, t_0))
+def _earlier_time_power_creep(
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, alpha: Array, t_0: Array
+) -> Array:
+    return earlier(t, t_m, lag_power_creep(t, t_m, t_h, v_2 / v, E, alpha, t_0))
 
 
 def _retract_radius_power_creep(
-    t: Array, v: Array, v_2: Array, t_m: Array, A: Array, E: Array, alpha: Array, t_0: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, A: Array, E: Array, alpha: Array, t_0: Array
 ) -> Array:
-    t_1 = earlier(t, t_m, lag_power_creep(t, t_m, v_2 / v, E, alpha, t_0))
+    t_1 = earlier(t, t_m, lag_power_creep(t, t_m, t_h, v_2 / v, E, alpha, t_0))
     return np.where(t_1 <= 0.0, 0.0, normal._radius_from_depth(v * t_1, A))
 
 
 def _retract_force_power_creep(
-    t: Array, v: Array, v_2: Array, t_m: Array, A: Array, E: Array, alpha: Array, t_0: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, A: Array, E: Array, alpha: Array, t_0: Array
 ) -> Array:
-    lag = lag_power_creep(t, t_m, v_2 / v, E, alpha, t_0)
+    lag = lag_power_creep(t, t_m, t_h, v_2 / v, E, alpha, t_0)
     t_1 = earlier(t, t_m, lag)
     back = normal._force_from_depth(v * t_1, A, 1.0) * kept_power_creep(
         t, t_1, passed(t, t_m, lag), 1.1666666666666667, E, alpha, t_0
@@ -1736,5 +1907,7 @@ def _retract_force_power_creep(
     return np.where(t > t_m, np.where(t_1 > 0.0, back, 0.0), _ramp_force_power_creep(t, v, A, E, alpha, t_0))
 
 
-def _contact_time_power_creep(v: Array, v_2: Array, t_m: Array, E: Array, alpha: Array, t_0: Array) -> Array:
-    return end_power_creep(v_2 / v, t_m, E, alpha, t_0)
+def _contact_time_power_creep(
+    v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, alpha: Array, t_0: Array
+) -> Array:
+    return end_power_creep(v_2 / v, t_m, t_h, E, alpha, t_0)

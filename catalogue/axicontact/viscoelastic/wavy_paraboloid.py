@@ -35,6 +35,7 @@ from .._runtime.physics.retraction import (
     lag_power_creep,
     lag_standard_solid,
     passed,
+    require_hold,
 )
 from ..normal import wavy_paraboloid as normal
 
@@ -136,11 +137,18 @@ def ramp_force_maxwell(
 
 
 def earlier_time_maxwell(
-    t: ArrayLike, *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, tau: ArrayLike
+    t: ArrayLike,
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    tau: ArrayLike,
 ) -> Result:
     """Time before t at which the contact was as large on a Maxwell fluid; zero after its end.
 
-    t_1 = tau*log(1 - v_2*(exp((-t_m + t)/tau) - 1)/v) + t_m
+    t_1 = tau*log(1 - v_2*(-exp((t_h - t_m)/tau) + exp((-t_m + t)/tau))/v) + t_m
 
     Parameters
     ----------
@@ -149,9 +157,11 @@ def earlier_time_maxwell(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -169,8 +179,9 @@ def earlier_time_maxwell(
 
     Notes
     -----
-    Valid for a << R; waves so flat that g' >= 0 for every a, a ramp up to t_m and then a constant speed back,
-    so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Handbook:
+    Valid for a << R; waves so flat that g' >= 0 for every a, a ramp up to t_m, a depth that is held up to t_h
+    and then a constant speed back, so that the contact has one maximum, and no adhesion. Negative or NaN
+    times give NaN. Up to t_m it is t, and t_m while the depth is held. Handbook:
     wavy_paraboloid.vis.earlier_mx.
 
     References
@@ -180,27 +191,32 @@ def earlier_time_maxwell(
     Examples
     --------
     >>> from axicontact.viscoelastic import wavy_paraboloid
-    >>> value = wavy_paraboloid.earlier_time_maxwell(1.0, v=0.2, v_2=0.05, t_m=0.9, E=1.0, tau=2.0)
+    >>> value = wavy_paraboloid.earlier_time_maxwell(1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, tau=2.0)
     >>> round(value, 6)
-    0.874199
+    0.772867
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, relaxation=tau)
-    return elementwise(_earlier_time_maxwell, t, v=v, v_2=v_2, t_m=t_m, E=E, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, relaxation=tau)
+    return elementwise(_earlier_time_maxwell, t, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, tau=tau)
 
 
-def contact_time_maxwell(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, tau: ArrayLike) -> Result:
+def contact_time_maxwell(
+    *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, t_h: ArrayLike | None = None, E: ArrayLike, tau: ArrayLike
+) -> Result:
     """Time at which the contact with a Maxwell fluid ends on the way back.
 
-    t_c = tau*log(v*(1 - exp(-t_m/tau))/v_2 + 1) + t_m
+    t_c = tau*log(v*(exp(t_m/tau) - 1)*exp(-t_h/tau)/v_2 + 1) + t_h
 
     Parameters
     ----------
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -218,8 +234,9 @@ def contact_time_maxwell(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: Arr
 
     Notes
     -----
-    Valid for a << R; waves so flat that g' >= 0 for every a, a ramp up to t_m and then a constant speed back,
-    so that the contact has one maximum, and no adhesion. Handbook: wavy_paraboloid.vis.end_mx.
+    Valid for a << R; waves so flat that g' >= 0 for every a, a ramp up to t_m, a depth that is held up to t_h
+    and then a constant speed back, so that the contact has one maximum, and no adhesion. Handbook:
+    wavy_paraboloid.vis.end_mx.
 
     References
     ----------
@@ -228,12 +245,13 @@ def contact_time_maxwell(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: Arr
     Examples
     --------
     >>> from axicontact.viscoelastic import wavy_paraboloid
-    >>> value = wavy_paraboloid.contact_time_maxwell(v=0.2, v_2=0.05, t_m=0.9, E=1.0, tau=2.0)
+    >>> value = wavy_paraboloid.contact_time_maxwell(v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, tau=2.0)
     >>> round(value, 6)
-    2.691758
+    2.525772
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, relaxation=tau)
-    return elementwise(_contact_time_maxwell, v=v, v_2=v_2, t_m=t_m, E=E, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, relaxation=tau)
+    return elementwise(_contact_time_maxwell, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, tau=tau)
 
 
 def retract_force_maxwell(
@@ -245,10 +263,11 @@ def retract_force_maxwell(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E: ArrayLike,
     tau: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a Maxwell fluid, pressed in at v until t_m, then back at v_2.
+    """Normal force at time t on a Maxwell fluid, pressed in at v until t_m, from t_h on back at v_2.
 
     F = 2*v*Integral(-E*tau*(1 - exp(-(-t_1 + t)/tau)) + E*tau*(1 - exp(-(t -
     x*(pi**2*h*StruveH(0, 2*pi*x/wavelength)/wavelength + x/R)/v)/tau)), (x, 0, a))
@@ -267,9 +286,11 @@ def retract_force_maxwell(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -287,12 +308,12 @@ def retract_force_maxwell(
 
     Notes
     -----
-    Valid for a << R; waves so flat that g' >= 0 for every a, a ramp up to t_m and then a constant speed back,
-    so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
-    earlier_time_maxwell; up to t_m it is t, and the force that of the ramp. Here a is the contact radius of
-    the elastic contact at the depth v t_1: a from a*(pi**2*h*StruveH(0, 2*pi*a/wavelength)/wavelength + a/R)
-    = d; with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0. Handbook:
-    wavy_paraboloid.vis.retract_mx.
+    Valid for a << R; waves so flat that g' >= 0 for every a, a ramp up to t_m, a depth that is held up to t_h
+    and then a constant speed back, so that the contact has one maximum, and no adhesion. Negative or NaN
+    times give NaN. Here t_1 is earlier_time_maxwell; up to t_m it is t, and the force that of the ramp. Here
+    a is the contact radius of the elastic contact at the depth v t_1: a from a*(pi**2*h*StruveH(0,
+    2*pi*a/wavelength)/wavelength + a/R) = d; with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi -
+    H_1 and (z H_1)' = z H_0. Handbook: wavy_paraboloid.vis.retract_mx.
 
     References
     ----------
@@ -302,13 +323,16 @@ def retract_force_maxwell(
     --------
     >>> from axicontact.viscoelastic import wavy_paraboloid
     >>> value = wavy_paraboloid.retract_force_maxwell(
-    ...     1.0, R=1.6, h=0.01, wavelength=0.5, v=0.2, v_2=0.05, t_m=0.9, E=1.0, tau=2.0
+    ...     1.0, R=1.6, h=0.01, wavelength=0.5, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, tau=2.0
     ... )
     >>> round(value, 6)
-    0.094568
+    0.075167
     """
-    normal._check(R=R, h=h, wavelength=wavelength, v=v, v_2=v_2, t_m=t_m, E=E, relaxation=tau)
-    return elementwise(_retract_force_maxwell, t, R=R, h=h, wavelength=wavelength, v=v, v_2=v_2, t_m=t_m, E=E, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    normal._check(R=R, h=h, wavelength=wavelength, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, relaxation=tau)
+    return elementwise(
+        _retract_force_maxwell, t, R=R, h=h, wavelength=wavelength, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, tau=tau
+    )
 
 
 def retract_radius_maxwell(
@@ -320,10 +344,11 @@ def retract_radius_maxwell(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E: ArrayLike,
     tau: ArrayLike,
 ) -> Result:
-    """Contact radius at time t on a Maxwell fluid, pressed in at v until t_m, then back at v_2.
+    """Contact radius at time t on a Maxwell fluid, pressed in at v until t_m, from t_h on back at v_2.
 
     a from a*(pi**2*h*StruveH(0, 2*pi*a/wavelength)/wavelength + a/R) = t_1*v
     with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0
@@ -341,9 +366,11 @@ def retract_radius_maxwell(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -361,10 +388,10 @@ def retract_radius_maxwell(
 
     Notes
     -----
-    Valid for a << R; waves so flat that g' >= 0 for every a, a ramp up to t_m and then a constant speed back,
-    so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
-    earlier_time_maxwell; up to t_m it is t, and the force that of the ramp. Handbook:
-    wavy_paraboloid.vis.radius_mx.
+    Valid for a << R; waves so flat that g' >= 0 for every a, a ramp up to t_m, a depth that is held up to t_h
+    and then a constant speed back, so that the contact has one maximum, and no adhesion. Negative or NaN
+    times give NaN. Here t_1 is earlier_time_maxwell; up to t_m it is t, and the force that of the ramp.
+    Handbook: wavy_paraboloid.vis.radius_mx.
 
     References
     ----------
@@ -374,13 +401,16 @@ def retract_radius_maxwell(
     --------
     >>> from axicontact.viscoelastic import wavy_paraboloid
     >>> value = wavy_paraboloid.retract_radius_maxwell(
-    ...     1.0, R=1.6, h=0.01, wavelength=0.5, v=0.2, v_2=0.05, t_m=0.9, E=1.0, tau=2.0
+    ...     1.0, R=1.6, h=0.01, wavelength=0.5, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, tau=2.0
     ... )
     >>> round(value, 6)
-    0.532773
+    0.512262
     """
-    normal._check(R=R, h=h, wavelength=wavelength, v=v, v_2=v_2, t_m=t_m, E=E, relaxation=tau)
-    return elementwise(_retract_radius_maxwell, t, R=R, h=h, wavelength=wavelength, v=v, v_2=v_2, t_m=t_m, E=E, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    normal._check(R=R, h=h, wavelength=wavelength, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, relaxation=tau)
+    return elementwise(
+        _retract_radius_maxwell, t, R=R, h=h, wavelength=wavelength, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, tau=tau
+    )
 
 
 def step_force_maxwell(
@@ -556,11 +586,18 @@ def ramp_force_kelvin_voigt(
 
 
 def earlier_time_kelvin_voigt(
-    t: ArrayLike, *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, eta: ArrayLike
+    t: ArrayLike,
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    eta: ArrayLike,
 ) -> Result:
     """Time before t at which the contact was as large on a Kelvin-Voigt solid; zero after its end.
 
-    t_1 = t_m - v_2*(-t_m + t + eta/E)/v
+    t_1 = t_m - v_2*(-t_h + t + eta/E)/v
 
     Parameters
     ----------
@@ -569,9 +606,11 @@ def earlier_time_kelvin_voigt(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -589,8 +628,9 @@ def earlier_time_kelvin_voigt(
 
     Notes
     -----
-    Valid for a << R; waves so flat that g' >= 0 for every a, a ramp up to t_m and then a constant speed back,
-    so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Handbook:
+    Valid for a << R; waves so flat that g' >= 0 for every a, a ramp up to t_m, a depth that is held up to t_h
+    and then a constant speed back, so that the contact has one maximum, and no adhesion. Negative or NaN
+    times give NaN. Up to t_m it is t, and t_m while the depth is held. Handbook:
     wavy_paraboloid.vis.earlier_kv.
 
     References
@@ -600,27 +640,32 @@ def earlier_time_kelvin_voigt(
     Examples
     --------
     >>> from axicontact.viscoelastic import wavy_paraboloid
-    >>> value = wavy_paraboloid.earlier_time_kelvin_voigt(1.0, v=0.2, v_2=0.05, t_m=0.9, E=1.0, eta=1.5)
+    >>> value = wavy_paraboloid.earlier_time_kelvin_voigt(1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, eta=1.5)
     >>> round(value, 6)
-    0.5
+    0.4
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
-    return elementwise(_earlier_time_kelvin_voigt, t, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
+    return elementwise(_earlier_time_kelvin_voigt, t, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
 
 
-def contact_time_kelvin_voigt(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, eta: ArrayLike) -> Result:
+def contact_time_kelvin_voigt(
+    *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, t_h: ArrayLike | None = None, E: ArrayLike, eta: ArrayLike
+) -> Result:
     """Time at which the contact with a Kelvin-Voigt solid ends on the way back.
 
-    t_c = t_m*v/v_2 + t_m - eta/E
+    t_c = t_h + t_m*v/v_2 - eta/E
 
     Parameters
     ----------
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -638,8 +683,9 @@ def contact_time_kelvin_voigt(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E
 
     Notes
     -----
-    Valid for a << R; waves so flat that g' >= 0 for every a, a ramp up to t_m and then a constant speed back,
-    so that the contact has one maximum, and no adhesion. Handbook: wavy_paraboloid.vis.end_kv.
+    Valid for a << R; waves so flat that g' >= 0 for every a, a ramp up to t_m, a depth that is held up to t_h
+    and then a constant speed back, so that the contact has one maximum, and no adhesion. Handbook:
+    wavy_paraboloid.vis.end_kv.
 
     References
     ----------
@@ -648,12 +694,13 @@ def contact_time_kelvin_voigt(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E
     Examples
     --------
     >>> from axicontact.viscoelastic import wavy_paraboloid
-    >>> value = wavy_paraboloid.contact_time_kelvin_voigt(v=0.2, v_2=0.05, t_m=0.9, E=1.0, eta=1.5)
+    >>> value = wavy_paraboloid.contact_time_kelvin_voigt(v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, eta=1.5)
     >>> round(value, 6)
-    3.0
+    2.6
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
-    return elementwise(_contact_time_kelvin_voigt, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
+    return elementwise(_contact_time_kelvin_voigt, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
 
 
 def retract_force_kelvin_voigt(
@@ -665,10 +712,11 @@ def retract_force_kelvin_voigt(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E: ArrayLike,
     eta: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a Kelvin-Voigt solid, pressed in at v until t_m, then back at v_2.
+    """Normal force at time t on a Kelvin-Voigt solid, pressed in at v until t_m, from t_h on back at v_2.
 
     F = E*a*(2*pi**2*a*h*StruveH(0, 2*pi*a/wavelength)/wavelength - pi*h*StruveH(1, 2*pi*a/wavelength) +
     4*a**2/(3*R))
@@ -687,9 +735,11 @@ def retract_force_kelvin_voigt(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -707,12 +757,12 @@ def retract_force_kelvin_voigt(
 
     Notes
     -----
-    Valid for a << R; waves so flat that g' >= 0 for every a, a ramp up to t_m and then a constant speed back,
-    so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
-    earlier_time_kelvin_voigt; up to t_m it is t, and the force that of the ramp. Here a is the contact radius
-    of the elastic contact at the depth v t_1: a from a*(pi**2*h*StruveH(0, 2*pi*a/wavelength)/wavelength +
-    a/R) = d; with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0.
-    Handbook: wavy_paraboloid.vis.retract_kv.
+    Valid for a << R; waves so flat that g' >= 0 for every a, a ramp up to t_m, a depth that is held up to t_h
+    and then a constant speed back, so that the contact has one maximum, and no adhesion. Negative or NaN
+    times give NaN. Here t_1 is earlier_time_kelvin_voigt; up to t_m it is t, and the force that of the ramp.
+    Here a is the contact radius of the elastic contact at the depth v t_1: a from a*(pi**2*h*StruveH(0,
+    2*pi*a/wavelength)/wavelength + a/R) = d; with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi -
+    H_1 and (z H_1)' = z H_0. Handbook: wavy_paraboloid.vis.retract_kv.
 
     References
     ----------
@@ -722,14 +772,15 @@ def retract_force_kelvin_voigt(
     --------
     >>> from axicontact.viscoelastic import wavy_paraboloid
     >>> value = wavy_paraboloid.retract_force_kelvin_voigt(
-    ...     1.0, R=1.6, h=0.01, wavelength=0.5, v=0.2, v_2=0.05, t_m=0.9, E=1.0, eta=1.5
+    ...     1.0, R=1.6, h=0.01, wavelength=0.5, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, eta=1.5
     ... )
     >>> round(value, 6)
-    0.043906
+    0.027391
     """
-    normal._check(R=R, h=h, wavelength=wavelength, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
+    t_h = require_hold(t_m, t_h)
+    normal._check(R=R, h=h, wavelength=wavelength, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
     return elementwise(
-        _retract_force_kelvin_voigt, t, R=R, h=h, wavelength=wavelength, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta
+        _retract_force_kelvin_voigt, t, R=R, h=h, wavelength=wavelength, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta
     )
 
 
@@ -742,10 +793,11 @@ def retract_radius_kelvin_voigt(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E: ArrayLike,
     eta: ArrayLike,
 ) -> Result:
-    """Contact radius at time t on a Kelvin-Voigt solid, pressed in at v until t_m, then back at v_2.
+    """Contact radius at time t on a Kelvin-Voigt solid, pressed in at v until t_m, from t_h on back at v_2.
 
     a from a*(pi**2*h*StruveH(0, 2*pi*a/wavelength)/wavelength + a/R) = t_1*v
     with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0
@@ -763,9 +815,11 @@ def retract_radius_kelvin_voigt(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -783,10 +837,10 @@ def retract_radius_kelvin_voigt(
 
     Notes
     -----
-    Valid for a << R; waves so flat that g' >= 0 for every a, a ramp up to t_m and then a constant speed back,
-    so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
-    earlier_time_kelvin_voigt; up to t_m it is t, and the force that of the ramp. Handbook:
-    wavy_paraboloid.vis.radius_kv.
+    Valid for a << R; waves so flat that g' >= 0 for every a, a ramp up to t_m, a depth that is held up to t_h
+    and then a constant speed back, so that the contact has one maximum, and no adhesion. Negative or NaN
+    times give NaN. Here t_1 is earlier_time_kelvin_voigt; up to t_m it is t, and the force that of the ramp.
+    Handbook: wavy_paraboloid.vis.radius_kv.
 
     References
     ----------
@@ -796,14 +850,15 @@ def retract_radius_kelvin_voigt(
     --------
     >>> from axicontact.viscoelastic import wavy_paraboloid
     >>> value = wavy_paraboloid.retract_radius_kelvin_voigt(
-    ...     1.0, R=1.6, h=0.01, wavelength=0.5, v=0.2, v_2=0.05, t_m=0.9, E=1.0, eta=1.5
+    ...     1.0, R=1.6, h=0.01, wavelength=0.5, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, eta=1.5
     ... )
     >>> round(value, 6)
-    0.437426
+    0.380517
     """
-    normal._check(R=R, h=h, wavelength=wavelength, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
+    t_h = require_hold(t_m, t_h)
+    normal._check(R=R, h=h, wavelength=wavelength, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta)
     return elementwise(
-        _retract_radius_kelvin_voigt, t, R=R, h=h, wavelength=wavelength, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta
+        _retract_radius_kelvin_voigt, t, R=R, h=h, wavelength=wavelength, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, eta=eta
     )
 
 
@@ -997,12 +1052,21 @@ def ramp_force_standard_solid(
 
 
 def earlier_time_standard_solid(
-    t: ArrayLike, *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E_inf: ArrayLike, E_1: ArrayLike, tau: ArrayLike
+    t: ArrayLike,
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E_inf: ArrayLike,
+    E_1: ArrayLike,
+    tau: ArrayLike,
 ) -> Result:
     """Time before t at which the contact was as large on a standard solid; zero after its end.
 
-    t_1 from E_1*tau*(1 - exp(-(-t_1 + t)/tau)) + E_inf*(-t_1 + t) = (1 +
-    v_2/v)*(E_1*tau*(1 - exp(-(-t_m + t)/tau)) + E_inf*(-t_m + t))
+    t_1 from E_1*tau*(1 - exp(-(-t_1 + t)/tau)) + E_inf*(-t_1 + t) = E_1*tau*(1 -
+    exp(-(-t_m + t)/tau)) + E_inf*(-t_m + t) + v_2*(E_1*tau*(1 - exp(-(-t_h +
+    t)/tau)) + E_inf*(-t_h + t))/v
 
     Parameters
     ----------
@@ -1011,9 +1075,11 @@ def earlier_time_standard_solid(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -1033,8 +1099,9 @@ def earlier_time_standard_solid(
 
     Notes
     -----
-    Valid for a << R; waves so flat that g' >= 0 for every a, a ramp up to t_m and then a constant speed back,
-    so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Handbook:
+    Valid for a << R; waves so flat that g' >= 0 for every a, a ramp up to t_m, a depth that is held up to t_h
+    and then a constant speed back, so that the contact has one maximum, and no adhesion. Negative or NaN
+    times give NaN. Up to t_m it is t, and t_m while the depth is held. Handbook:
     wavy_paraboloid.vis.earlier_sls.
 
     References
@@ -1045,31 +1112,42 @@ def earlier_time_standard_solid(
     --------
     >>> from axicontact.viscoelastic import wavy_paraboloid
     >>> value = wavy_paraboloid.earlier_time_standard_solid(
-    ...     1.0, v=0.2, v_2=0.05, t_m=0.9, E_inf=0.4, E_1=0.6, tau=2.0
+    ...     1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E_inf=0.4, E_1=0.6, tau=2.0
     ... )
     >>> round(value, 6)
-    0.874531
+    0.773779
     """
-    require(v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, relaxation=tau)
-    return elementwise(_earlier_time_standard_solid, t, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, relaxation=tau)
+    return elementwise(_earlier_time_standard_solid, t, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, tau=tau)
 
 
 def contact_time_standard_solid(
-    *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E_inf: ArrayLike, E_1: ArrayLike, tau: ArrayLike
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E_inf: ArrayLike,
+    E_1: ArrayLike,
+    tau: ArrayLike,
 ) -> Result:
     """Time at which the contact with a standard solid ends on the way back.
 
-    t_c from E_1*tau*(1 - exp(-t_c/tau)) + E_inf*t_c = (1 + v_2/v)*(E_1*tau*(1 -
-    exp(-(t_c - t_m)/tau)) + E_inf*(t_c - t_m))
+    t_c from E_1*tau*(1 - exp(-t_c/tau)) + E_inf*t_c = E_1*tau*(1 - exp(-(t_c -
+    t_m)/tau)) + E_inf*(t_c - t_m) + v_2*(E_1*tau*(1 - exp(-(t_c - t_h)/tau)) +
+    E_inf*(t_c - t_h))/v
 
     Parameters
     ----------
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -1089,8 +1167,9 @@ def contact_time_standard_solid(
 
     Notes
     -----
-    Valid for a << R; waves so flat that g' >= 0 for every a, a ramp up to t_m and then a constant speed back,
-    so that the contact has one maximum, and no adhesion. Handbook: wavy_paraboloid.vis.end_sls.
+    Valid for a << R; waves so flat that g' >= 0 for every a, a ramp up to t_m, a depth that is held up to t_h
+    and then a constant speed back, so that the contact has one maximum, and no adhesion. Handbook:
+    wavy_paraboloid.vis.end_sls.
 
     References
     ----------
@@ -1099,12 +1178,15 @@ def contact_time_standard_solid(
     Examples
     --------
     >>> from axicontact.viscoelastic import wavy_paraboloid
-    >>> value = wavy_paraboloid.contact_time_standard_solid(v=0.2, v_2=0.05, t_m=0.9, E_inf=0.4, E_1=0.6, tau=2.0)
+    >>> value = wavy_paraboloid.contact_time_standard_solid(
+    ...     v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E_inf=0.4, E_1=0.6, tau=2.0
+    ... )
     >>> round(value, 6)
-    3.501344
+    3.220085
     """
-    require(v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, relaxation=tau)
-    return elementwise(_contact_time_standard_solid, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, tau=tau)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, relaxation=tau)
+    return elementwise(_contact_time_standard_solid, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, tau=tau)
 
 
 def retract_force_standard_solid(
@@ -1116,11 +1198,12 @@ def retract_force_standard_solid(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E_inf: ArrayLike,
     E_1: ArrayLike,
     tau: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a standard solid, pressed in at v until t_m, then back at v_2.
+    """Normal force at time t on a standard solid, pressed in at v until t_m, from t_h on back at v_2.
 
     F = 2*v*Integral(-E_1*tau*(1 - exp(-(-t_1 + t)/tau)) + E_1*tau*(1 - exp(-(t -
     x*(pi**2*h*StruveH(0, 2*pi*x/wavelength)/wavelength + x/R)/v)/tau)) - E_inf*(-t_1 + t) +
@@ -1140,9 +1223,11 @@ def retract_force_standard_solid(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -1162,10 +1247,10 @@ def retract_force_standard_solid(
 
     Notes
     -----
-    Valid for a << R; waves so flat that g' >= 0 for every a, a ramp up to t_m and then a constant speed back,
-    so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
-    earlier_time_standard_solid; up to t_m it is t, and the force that of the ramp. Here a is the contact
-    radius of the elastic contact at the depth v t_1: a from a*(pi**2*h*StruveH(0,
+    Valid for a << R; waves so flat that g' >= 0 for every a, a ramp up to t_m, a depth that is held up to t_h
+    and then a constant speed back, so that the contact has one maximum, and no adhesion. Negative or NaN
+    times give NaN. Here t_1 is earlier_time_standard_solid; up to t_m it is t, and the force that of the
+    ramp. Here a is the contact radius of the elastic contact at the depth v t_1: a from a*(pi**2*h*StruveH(0,
     2*pi*a/wavelength)/wavelength + a/R) = d; with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi -
     H_1 and (z H_1)' = z H_0. Handbook: wavy_paraboloid.vis.retract_sls.
 
@@ -1177,12 +1262,13 @@ def retract_force_standard_solid(
     --------
     >>> from axicontact.viscoelastic import wavy_paraboloid
     >>> value = wavy_paraboloid.retract_force_standard_solid(
-    ...     1.0, R=1.6, h=0.01, wavelength=0.5, v=0.2, v_2=0.05, t_m=0.9, E_inf=0.4, E_1=0.6, tau=2.0
+    ...     1.0, R=1.6, h=0.01, wavelength=0.5, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E_inf=0.4, E_1=0.6, tau=2.0
     ... )
     >>> round(value, 6)
-    0.103742
+    0.083733
     """
-    normal._check(R=R, h=h, wavelength=wavelength, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, relaxation=tau)
+    t_h = require_hold(t_m, t_h)
+    normal._check(R=R, h=h, wavelength=wavelength, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, relaxation=tau)
     return elementwise(
         _retract_force_standard_solid,
         t,
@@ -1192,6 +1278,7 @@ def retract_force_standard_solid(
         v=v,
         v_2=v_2,
         t_m=t_m,
+        t_h=t_h,
         E_inf=E_inf,
         E_1=E_1,
         tau=tau,
@@ -1207,11 +1294,12 @@ def retract_radius_standard_solid(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E_inf: ArrayLike,
     E_1: ArrayLike,
     tau: ArrayLike,
 ) -> Result:
-    """Contact radius at time t on a standard solid, pressed in at v until t_m, then back at v_2.
+    """Contact radius at time t on a standard solid, pressed in at v until t_m, from t_h on back at v_2.
 
     a from a*(pi**2*h*StruveH(0, 2*pi*a/wavelength)/wavelength + a/R) = t_1*v
     with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0
@@ -1229,9 +1317,11 @@ def retract_radius_standard_solid(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -1251,10 +1341,10 @@ def retract_radius_standard_solid(
 
     Notes
     -----
-    Valid for a << R; waves so flat that g' >= 0 for every a, a ramp up to t_m and then a constant speed back,
-    so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
-    earlier_time_standard_solid; up to t_m it is t, and the force that of the ramp. Handbook:
-    wavy_paraboloid.vis.radius_sls.
+    Valid for a << R; waves so flat that g' >= 0 for every a, a ramp up to t_m, a depth that is held up to t_h
+    and then a constant speed back, so that the contact has one maximum, and no adhesion. Negative or NaN
+    times give NaN. Here t_1 is earlier_time_standard_solid; up to t_m it is t, and the force that of the
+    ramp. Handbook: wavy_paraboloid.vis.radius_sls.
 
     References
     ----------
@@ -1264,12 +1354,13 @@ def retract_radius_standard_solid(
     --------
     >>> from axicontact.viscoelastic import wavy_paraboloid
     >>> value = wavy_paraboloid.retract_radius_standard_solid(
-    ...     1.0, R=1.6, h=0.01, wavelength=0.5, v=0.2, v_2=0.05, t_m=0.9, E_inf=0.4, E_1=0.6, tau=2.0
+    ...     1.0, R=1.6, h=0.01, wavelength=0.5, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E_inf=0.4, E_1=0.6, tau=2.0
     ... )
     >>> round(value, 6)
-    0.532838
+    0.512456
     """
-    normal._check(R=R, h=h, wavelength=wavelength, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, relaxation=tau)
+    t_h = require_hold(t_m, t_h)
+    normal._check(R=R, h=h, wavelength=wavelength, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E_inf=E_inf, E_1=E_1, relaxation=tau)
     return elementwise(
         _retract_radius_standard_solid,
         t,
@@ -1279,6 +1370,7 @@ def retract_radius_standard_solid(
         v=v,
         v_2=v_2,
         t_m=t_m,
+        t_h=t_h,
         E_inf=E_inf,
         E_1=E_1,
         tau=tau,
@@ -1498,11 +1590,19 @@ def ramp_force_power_creep(
 
 
 def earlier_time_power_creep(
-    t: ArrayLike, *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, alpha: ArrayLike, t_0: ArrayLike
+    t: ArrayLike,
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    alpha: ArrayLike,
+    t_0: ArrayLike,
 ) -> Result:
     """Time before t at which the contact was as large on a material of power-law creep; zero after its end.
 
-    t_1 = t - (1 + v_2/v)**(1/(1 - alpha))*(-t_m + t)
+    t_1 = t - (1 + v_2*((-t_m + t)/(-t_h + t))**(alpha - 1)/v)**(1/(1 - alpha))*(-t_m + t)
 
     Parameters
     ----------
@@ -1511,9 +1611,11 @@ def earlier_time_power_creep(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1533,8 +1635,9 @@ def earlier_time_power_creep(
 
     Notes
     -----
-    Valid for a << R; waves so flat that g' >= 0 for every a, a ramp up to t_m and then a constant speed back,
-    so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Handbook:
+    Valid for a << R; waves so flat that g' >= 0 for every a, a ramp up to t_m, a depth that is held up to t_h
+    and then a constant speed back, so that the contact has one maximum, and no adhesion. Negative or NaN
+    times give NaN. Up to t_m it is t, and t_m while the depth is held. Handbook:
     wavy_paraboloid.vis.earlier_pc.
 
     References
@@ -1544,29 +1647,43 @@ def earlier_time_power_creep(
     Examples
     --------
     >>> from axicontact.viscoelastic import wavy_paraboloid
-    >>> value = wavy_paraboloid.earlier_time_power_creep(1.0, v=0.2, v_2=0.05, t_m=0.9, E=1.0, alpha=0.25, t_0=1.0)
+    >>> value = wavy_paraboloid.earlier_time_power_creep(
+    ...     1.0, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, alpha=0.25, t_0=1.0
+    ... )
     >>> round(value, 6)
-    0.865348
+    0.759408
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
-    return elementwise(_earlier_time_power_creep, t, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
+    return elementwise(_earlier_time_power_creep, t, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
 
 
 def contact_time_power_creep(
-    *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, alpha: ArrayLike, t_0: ArrayLike
+    *,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
+    E: ArrayLike,
+    alpha: ArrayLike,
+    t_0: ArrayLike,
 ) -> Result:
     """Time at which the contact with a material of power-law creep ends on the way back.
 
-    t_c = t_m + t_m/((1 + v_2/v)**(1/(1 - alpha)) - 1)
+    t_c from E*t_0**alpha*t_c**(1 - alpha)/((1 - alpha)*gamma(1 - alpha)*gamma(alpha + 1)) = E*t_0**alpha*(t_c
+    - t_m)**(1 - alpha)/((1 - alpha)*gamma(1 - alpha)*gamma(alpha + 1)) + E*t_0**alpha*v_2*(t_c - t_h)**(1 -
+    alpha)/(v*(1 - alpha)*gamma(1 - alpha)*gamma(alpha + 1))
 
     Parameters
     ----------
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1586,8 +1703,9 @@ def contact_time_power_creep(
 
     Notes
     -----
-    Valid for a << R; waves so flat that g' >= 0 for every a, a ramp up to t_m and then a constant speed back,
-    so that the contact has one maximum, and no adhesion. Handbook: wavy_paraboloid.vis.end_pc.
+    Valid for a << R; waves so flat that g' >= 0 for every a, a ramp up to t_m, a depth that is held up to t_h
+    and then a constant speed back, so that the contact has one maximum, and no adhesion. Handbook:
+    wavy_paraboloid.vis.end_pc.
 
     References
     ----------
@@ -1596,12 +1714,15 @@ def contact_time_power_creep(
     Examples
     --------
     >>> from axicontact.viscoelastic import wavy_paraboloid
-    >>> value = wavy_paraboloid.contact_time_power_creep(v=0.2, v_2=0.05, t_m=0.9, E=1.0, alpha=0.25, t_0=1.0)
+    >>> value = wavy_paraboloid.contact_time_power_creep(
+    ...     v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, alpha=0.25, t_0=1.0
+    ... )
     >>> round(value, 6)
-    3.49724
+    3.186706
     """
-    require(v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
-    return elementwise(_contact_time_power_creep, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
+    t_h = require_hold(t_m, t_h)
+    require(v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
+    return elementwise(_contact_time_power_creep, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
 
 
 def retract_force_power_creep(
@@ -1613,11 +1734,12 @@ def retract_force_power_creep(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E: ArrayLike,
     alpha: ArrayLike,
     t_0: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a material of power-law creep, pressed in at v until t_m, then back at v_2.
+    """Normal force at time t on a material of power-law creep, pressed in at v until t_m, from t_h on back at v_2.
 
     F = 2*v*Integral(-E*t_0**alpha*(-t_1 + t)**(1 - alpha)/((1 - alpha)*gamma(1 - alpha)*gamma(alpha + 1))
     + E*t_0**alpha*(t - x*(pi**2*h*StruveH(0, 2*pi*x/wavelength)/wavelength + x/R)/v)**(1 - alpha)/((1 -
@@ -1637,9 +1759,11 @@ def retract_force_power_creep(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1659,12 +1783,12 @@ def retract_force_power_creep(
 
     Notes
     -----
-    Valid for a << R; waves so flat that g' >= 0 for every a, a ramp up to t_m and then a constant speed back,
-    so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
-    earlier_time_power_creep; up to t_m it is t, and the force that of the ramp. Here a is the contact radius
-    of the elastic contact at the depth v t_1: a from a*(pi**2*h*StruveH(0, 2*pi*a/wavelength)/wavelength +
-    a/R) = d; with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0.
-    Handbook: wavy_paraboloid.vis.retract_pc.
+    Valid for a << R; waves so flat that g' >= 0 for every a, a ramp up to t_m, a depth that is held up to t_h
+    and then a constant speed back, so that the contact has one maximum, and no adhesion. Negative or NaN
+    times give NaN. Here t_1 is earlier_time_power_creep; up to t_m it is t, and the force that of the ramp.
+    Here a is the contact radius of the elastic contact at the depth v t_1: a from a*(pi**2*h*StruveH(0,
+    2*pi*a/wavelength)/wavelength + a/R) = d; with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi -
+    H_1 and (z H_1)' = z H_0. Handbook: wavy_paraboloid.vis.retract_pc.
 
     References
     ----------
@@ -1674,14 +1798,26 @@ def retract_force_power_creep(
     --------
     >>> from axicontact.viscoelastic import wavy_paraboloid
     >>> value = wavy_paraboloid.retract_force_power_creep(
-    ...     1.0, R=1.6, h=0.01, wavelength=0.5, v=0.2, v_2=0.05, t_m=0.9, E=1.0, alpha=0.25, t_0=1.0
+    ...     1.0, R=1.6, h=0.01, wavelength=0.5, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, alpha=0.25, t_0=1.0
     ... )
     >>> round(value, 6)
-    0.13189
+    0.101579
     """
-    normal._check(R=R, h=h, wavelength=wavelength, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
+    t_h = require_hold(t_m, t_h)
+    normal._check(R=R, h=h, wavelength=wavelength, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
     return elementwise(
-        _retract_force_power_creep, t, R=R, h=h, wavelength=wavelength, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0
+        _retract_force_power_creep,
+        t,
+        R=R,
+        h=h,
+        wavelength=wavelength,
+        v=v,
+        v_2=v_2,
+        t_m=t_m,
+        t_h=t_h,
+        E=E,
+        alpha=alpha,
+        t_0=t_0,
     )
 
 
@@ -1694,11 +1830,12 @@ def retract_radius_power_creep(
     v: ArrayLike,
     v_2: ArrayLike,
     t_m: ArrayLike,
+    t_h: ArrayLike | None = None,
     E: ArrayLike,
     alpha: ArrayLike,
     t_0: ArrayLike,
 ) -> Result:
-    """Contact radius at time t on a material of power-law creep, pressed in at v until t_m, then back at v_2.
+    """Contact radius at time t on a material of power-law creep, pressed in at v until t_m, from t_h on back at v_2.
 
     a from a*(pi**2*h*StruveH(0, 2*pi*a/wavelength)/wavelength + a/R) = t_1*v
     with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0
@@ -1716,9 +1853,11 @@ def retract_radius_power_creep(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, from t_m on [m/s], v_2 > 0.
+        Speed of retraction, from t_h on [m/s], v_2 > 0.
     t_m : array_like
-        Time at which the indenter turns back [s], t_m > 0.
+        Time at which the indenter stops [s], t_m > 0.
+    t_h : array_like, optional
+        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1738,10 +1877,10 @@ def retract_radius_power_creep(
 
     Notes
     -----
-    Valid for a << R; waves so flat that g' >= 0 for every a, a ramp up to t_m and then a constant speed back,
-    so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
-    earlier_time_power_creep; up to t_m it is t, and the force that of the ramp. Handbook:
-    wavy_paraboloid.vis.radius_pc.
+    Valid for a << R; waves so flat that g' >= 0 for every a, a ramp up to t_m, a depth that is held up to t_h
+    and then a constant speed back, so that the contact has one maximum, and no adhesion. Negative or NaN
+    times give NaN. Here t_1 is earlier_time_power_creep; up to t_m it is t, and the force that of the ramp.
+    Handbook: wavy_paraboloid.vis.radius_pc.
 
     References
     ----------
@@ -1751,12 +1890,13 @@ def retract_radius_power_creep(
     --------
     >>> from axicontact.viscoelastic import wavy_paraboloid
     >>> value = wavy_paraboloid.retract_radius_power_creep(
-    ...     1.0, R=1.6, h=0.01, wavelength=0.5, v=0.2, v_2=0.05, t_m=0.9, E=1.0, alpha=0.25, t_0=1.0
+    ...     1.0, R=1.6, h=0.01, wavelength=0.5, v=0.2, v_2=0.05, t_m=0.8, t_h=0.9, E=1.0, alpha=0.25, t_0=1.0
     ... )
     >>> round(value, 6)
-    0.531053
+    0.509378
     """
-    normal._check(R=R, h=h, wavelength=wavelength, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
+    t_h = require_hold(t_m, t_h)
+    normal._check(R=R, h=h, wavelength=wavelength, v=v, v_2=v_2, t_m=t_m, t_h=t_h, E=E, alpha=alpha, t_0=t_0)
     return elementwise(
         _retract_radius_power_creep,
         t,
@@ -1766,6 +1906,7 @@ def retract_radius_power_creep(
         v=v,
         v_2=v_2,
         t_m=t_m,
+        t_h=t_h,
         E=E,
         alpha=alpha,
         t_0=t_0,
@@ -1936,28 +2077,28 @@ def _step_load_radius_maxwell(t: Array, F: Array, R: Array, h: Array, wavelength
     return normal._radius_from_force(F * creep_maxwell(t, E, tau), R, h, wavelength, 1.0)
 
 
-def _earlier_time_maxwell(t: Array, v: Array, v_2: Array, t_m: Array, E: Array, tau: Array) -> Array:
-    return earlier(t, t_m, lag_maxwell(t, t_m, v_2 / v, E, tau))
+def _earlier_time_maxwell(t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, tau: Array) -> Array:
+    return earlier(t, t_m, lag_maxwell(t, t_m, t_h, v_2 / v, E, tau))
 
 
 def _retract_radius_maxwell(
-    t: Array, v: Array, v_2: Array, t_m: Array, R: Array, h: Array, wavelength: Array, E: Array, tau: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, R: Array, h: Array, wavelength: Array, E: Array, tau: Array
 ) -> Array:
-    t_1 = earlier(t, t_m, lag_maxwell(t, t_m, v_2 / v, E, tau))
+    t_1 = earlier(t, t_m, lag_maxwell(t, t_m, t_h, v_2 / v, E, tau))
     return np.where(t_1 <= 0.0, 0.0, normal._radius_from_depth(v * t_1, R, h, wavelength))
 
 
 def _retract_force_maxwell(
-    t: Array, v: Array, v_2: Array, t_m: Array, R: Array, h: Array, wavelength: Array, E: Array, tau: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, R: Array, h: Array, wavelength: Array, E: Array, tau: Array
 ) -> Array:
-    lag = lag_maxwell(t, t_m, v_2 / v, E, tau)
+    lag = lag_maxwell(t, t_m, t_h, v_2 / v, E, tau)
     t_1 = earlier(t, t_m, lag)
     since = np.where(t > t_m, passed(t, t_m, lag), 0.0)
     return np.where(t_1 > 0.0, _pressed_maxwell(t_1, since, v, R, h, wavelength, E, tau), 0.0)
 
 
-def _contact_time_maxwell(v: Array, v_2: Array, t_m: Array, E: Array, tau: Array) -> Array:
-    return end_maxwell(v_2 / v, t_m, E, tau)
+def _contact_time_maxwell(v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, tau: Array) -> Array:
+    return end_maxwell(v_2 / v, t_m, t_h, E, tau)
 
 
 def _ramp_force_kelvin_voigt(t: Array, v: Array, R: Array, h: Array, wavelength: Array, E: Array, eta: Array) -> Array:
@@ -1976,28 +2117,28 @@ def _step_load_radius_kelvin_voigt(
     return normal._radius_from_force(F * creep_kelvin_voigt(t, E, eta), R, h, wavelength, 1.0)
 
 
-def _earlier_time_kelvin_voigt(t: Array, v: Array, v_2: Array, t_m: Array, E: Array, eta: Array) -> Array:
-    return earlier(t, t_m, lag_kelvin_voigt(t, t_m, v_2 / v, E, eta))
+def _earlier_time_kelvin_voigt(t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, eta: Array) -> Array:
+    return earlier(t, t_m, lag_kelvin_voigt(t, t_m, t_h, v_2 / v, E, eta))
 
 
 def _retract_radius_kelvin_voigt(
-    t: Array, v: Array, v_2: Array, t_m: Array, R: Array, h: Array, wavelength: Array, E: Array, eta: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, R: Array, h: Array, wavelength: Array, E: Array, eta: Array
 ) -> Array:
-    t_1 = earlier(t, t_m, lag_kelvin_voigt(t, t_m, v_2 / v, E, eta))
+    t_1 = earlier(t, t_m, lag_kelvin_voigt(t, t_m, t_h, v_2 / v, E, eta))
     return np.where(t_1 <= 0.0, 0.0, normal._radius_from_depth(v * t_1, R, h, wavelength))
 
 
 def _retract_force_kelvin_voigt(
-    t: Array, v: Array, v_2: Array, t_m: Array, R: Array, h: Array, wavelength: Array, E: Array, eta: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, R: Array, h: Array, wavelength: Array, E: Array, eta: Array
 ) -> Array:
-    lag = lag_kelvin_voigt(t, t_m, v_2 / v, E, eta)
+    lag = lag_kelvin_voigt(t, t_m, t_h, v_2 / v, E, eta)
     t_1 = earlier(t, t_m, lag)
     back = normal._force_from_depth(v * t_1, R, h, wavelength, 1.0) * E
     return np.where(t > t_m, np.where(t_1 > 0.0, back, 0.0), _ramp_force_kelvin_voigt(t, v, R, h, wavelength, E, eta))
 
 
-def _contact_time_kelvin_voigt(v: Array, v_2: Array, t_m: Array, E: Array, eta: Array) -> Array:
-    return end_kelvin_voigt(v_2 / v, t_m, E, eta)
+def _contact_time_kelvin_voigt(v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, eta: Array) -> Array:
+    return end_kelvin_voigt(v_2 / v, t_m, t_h, E, eta)
 
 
 def _pressed_standard_solid(
@@ -2031,9 +2172,9 @@ def _step_load_radius_standard_solid(
 
 
 def _earlier_time_standard_solid(
-    t: Array, v: Array, v_2: Array, t_m: Array, E_inf: Array, E_1: Array, tau: Array
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, E_inf: Array, E_1: Array, tau: Array
 ) -> Array:
-    return earlier(t, t_m, lag_standard_solid(t, t_m, v_2 / v, E_inf, E_1, tau))
+    return earlier(t, t_m, lag_standard_solid(t, t_m, t_h, v_2 / v, E_inf, E_1, tau))
 
 
 def _retract_radius_standard_solid(
@@ -2041,6 +2182,7 @@ def _retract_radius_standard_solid(
     v: Array,
     v_2: Array,
     t_m: Array,
+    t_h: Array,
     R: Array,
     h: Array,
     wavelength: Array,
@@ -2048,7 +2190,7 @@ def _retract_radius_standard_solid(
     E_1: Array,
     tau: Array,
 ) -> Array:
-    t_1 = earlier(t, t_m, lag_standard_solid(t, t_m, v_2 / v, E_inf, E_1, tau))
+    t_1 = earlier(t, t_m, lag_standard_solid(t, t_m, t_h, v_2 / v, E_inf, E_1, tau))
     return np.where(t_1 <= 0.0, 0.0, normal._radius_from_depth(v * t_1, R, h, wavelength))
 
 
@@ -2057,6 +2199,7 @@ def _retract_force_standard_solid(
     v: Array,
     v_2: Array,
     t_m: Array,
+    t_h: Array,
     R: Array,
     h: Array,
     wavelength: Array,
@@ -2064,14 +2207,16 @@ def _retract_force_standard_solid(
     E_1: Array,
     tau: Array,
 ) -> Array:
-    lag = lag_standard_solid(t, t_m, v_2 / v, E_inf, E_1, tau)
+    lag = lag_standard_solid(t, t_m, t_h, v_2 / v, E_inf, E_1, tau)
     t_1 = earlier(t, t_m, lag)
     since = np.where(t > t_m, passed(t, t_m, lag), 0.0)
     return np.where(t_1 > 0.0, _pressed_standard_solid(t_1, since, v, R, h, wavelength, E_inf, E_1, tau), 0.0)
 
 
-def _contact_time_standard_solid(v: Array, v_2: Array, t_m: Array, E_inf: Array, E_1: Array, tau: Array) -> Array:
-    return end_standard_solid(v_2 / v, t_m, E_inf, E_1, tau)
+def _contact_time_standard_solid(
+    v: Array, v_2: Array, t_m: Array, t_h: Array, E_inf: Array, E_1: Array, tau: Array
+) -> Array:
+    return end_standard_solid(v_2 / v, t_m, t_h, E_inf, E_1, tau)
 
 
 def _pressed_power_creep(
@@ -2104,8 +2249,10 @@ def _step_load_radius_power_creep(
     return normal._radius_from_force(F * creep_power_creep(t, E, alpha, t_0), R, h, wavelength, 1.0)
 
 
-def _earlier_time_power_creep(t: Array, v: Array, v_2: Array, t_m: Array, E: Array, alpha: Array, t_0: Array) -> Array:
-    return earlier(t, t_m, lag_power_creep(t, t_m, v_2 / v, E, alpha, t_0))
+def _earlier_time_power_creep(
+    t: Array, v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, alpha: Array, t_0: Array
+) -> Array:
+    return earlier(t, t_m, lag_power_creep(t, t_m, t_h, v_2 / v, E, alpha, t_0))
 
 
 def _retract_radius_power_creep(
@@ -2113,6 +2260,7 @@ def _retract_radius_power_creep(
     v: Array,
     v_2: Array,
     t_m: Array,
+    t_h: Array,
     R: Array,
     h: Array,
     wavelength: Array,
@@ -2120,7 +2268,7 @@ def _retract_radius_power_creep(
     alpha: Array,
     t_0: Array,
 ) -> Array:
-    t_1 = earlier(t, t_m, lag_power_creep(t, t_m, v_2 / v, E, alpha, t_0))
+    t_1 = earlier(t, t_m, lag_power_creep(t, t_m, t_h, v_2 / v, E, alpha, t_0))
     return np.where(t_1 <= 0.0, 0.0, normal._radius_from_depth(v * t_1, R, h, wavelength))
 
 
@@ -2129,6 +2277,7 @@ def _retract_force_power_creep(
     v: Array,
     v_2: Array,
     t_m: Array,
+    t_h: Array,
     R: Array,
     h: Array,
     wavelength: Array,
@@ -2136,11 +2285,13 @@ def _retract_force_power_creep(
     alpha: Array,
     t_0: Array,
 ) -> Array:
-    lag = lag_power_creep(t, t_m, v_2 / v, E, alpha, t_0)
+    lag = lag_power_creep(t, t_m, t_h, v_2 / v, E, alpha, t_0)
     t_1 = earlier(t, t_m, lag)
     since = np.where(t > t_m, passed(t, t_m, lag), 0.0)
     return np.where(t_1 > 0.0, _pressed_power_creep(t_1, since, v, R, h, wavelength, E, alpha, t_0), 0.0)
 
 
-def _contact_time_power_creep(v: Array, v_2: Array, t_m: Array, E: Array, alpha: Array, t_0: Array) -> Array:
-    return end_power_creep(v_2 / v, t_m, E, alpha, t_0)
+def _contact_time_power_creep(
+    v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, alpha: Array, t_0: Array
+) -> Array:
+    return end_power_creep(v_2 / v, t_m, t_h, E, alpha, t_0)

@@ -9,9 +9,9 @@ import numpy as np
 from ..._runtime.interface import largest, ordinary
 from ..._programs.bodies.viscoelastic import power_law as bodies
 
-C0 = np.array(1.0)
-C1 = np.array(np.inf)
-C2 = np.array(0.0)
+C0 = np.array(0.0)
+C1 = np.array(1.0)
+C2 = np.array(np.inf)
 C3 = np.array(0.5)
 C4 = np.array(1.75)
 C5 = np.array(1.5)
@@ -34,11 +34,11 @@ C21 = np.array(3.5449077018110318)
 C22 = np.array(3.141592653589793)
 
 
-def contact_time_kelvin_voigt(v, v_2, t_m, E, eta):
-    if v.__class__ is v_2.__class__ is t_m.__class__ is E.__class__ is eta.__class__ is float and v > 1e-30 and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
+def contact_time_kelvin_voigt(v, v_2, t_m, t_h, E, eta):
+    if v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is E.__class__ is eta.__class__ is float and v > 1e-30 and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
         try:
-            v8 = t_m / (v_2 / v) - eta / E
-            return t_m + (v8 if v8 > 0.0 or v8 != v8 else 0.0)
+            v9 = t_m / (v_2 / v) - eta / E
+            return t_h + (v9 if v9 > 0.0 or v9 != v9 else 0.0)
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -48,19 +48,19 @@ def prepare_contact_time_kelvin_voigt_all_signed():
     return ()
 
 
-def block_contact_time_kelvin_voigt_all_signed(out, v, v_2, t_m, E, eta, t0, f0):
+def block_contact_time_kelvin_voigt_all_signed(out, v, v_2, t_m, t_h, E, eta, t0, f0):
     np.divide(v_2, v, out)
     np.divide(t_m, out, out)
     np.divide(eta, E, t0)
     np.subtract(out, t0, t0)
     np.maximum(t0, f0, out=t0)
-    np.add(t_m, t0, out)
+    np.add(t_h, t0, out)
 
 
-def contact_time_maxwell(v, v_2, t_m, E, tau):
-    if v.__class__ is v_2.__class__ is t_m.__class__ is E.__class__ is tau.__class__ is float and v > 1e-30 and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (E > 1e-30) and (E < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+def contact_time_maxwell(v, v_2, t_m, t_h, E, tau):
+    if v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is E.__class__ is tau.__class__ is float and v > 1e-30 and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (E > 1e-30) and (E < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
         try:
-            value = t_m + tau * log1p(-expm1(-t_m / tau) / (v_2 / v))
+            value = t_h + tau * log1p(-expm1(-t_m / tau) * exp((t_m - t_h) / tau) / (v_2 / v))
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             return None
@@ -73,93 +73,85 @@ def prepare_contact_time_maxwell_all_signed():
     return ()
 
 
-def block_contact_time_maxwell_all_signed(out, v, v_2, t_m, E, tau, t0):
+def block_contact_time_maxwell_all_signed(out, v, v_2, t_m, t_h, E, tau, t0, t1):
     np.divide(v_2, v, out)
     np.negative(t_m, t0)
     np.divide(t0, tau, t0)
     np.expm1(t0, t0)
     np.negative(t0, t0)
-    np.divide(t0, out, out)
+    np.subtract(t_m, t_h, t1)
+    np.divide(t1, tau, t1)
+    np.exp(t1, t1)
+    np.multiply(t0, t1, t1)
+    np.divide(t1, out, out)
     np.log1p(out, out)
     np.multiply(tau, out, out)
-    np.add(t_m, out, out)
+    np.add(t_h, out, out)
 
 
-def contact_time_power_creep(v, v_2, t_m, E, alpha, t_0):
-    if v.__class__ is v_2.__class__ is t_m.__class__ is E.__class__ is alpha.__class__ is t_0.__class__ is float and v > 1e-30 and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (E > 1e-30) and (E < 1e+30) and (alpha > 1e-30) and (alpha < 1.0) and (t_0 > 1e-30) and (t_0 < 1e+30):
+def contact_time_power_creep(v, v_2, t_m, t_h, E, alpha, t_0):
+    if v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is E.__class__ is alpha.__class__ is t_0.__class__ is float and v > 1e-30 and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (E > 1e-30) and (E < 1e+30) and (alpha > 1e-30) and (alpha < 1.0) and (t_0 > 1e-30) and (t_0 < 1e+30):
         try:
-            v10 = log1p(v_2 / v) / (1.0 - alpha)
-            value = t_m + t_m / expm1(v10 if v10 < 700.0 or v10 != v10 else 700.0)
+            value = bodies._contact_time_power_creep(v, v_2, t_m, t_h, E, alpha, t_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            return None
-        except (ArithmeticError, ValueError):
-            pass
-    return None
-
-
-def prepare_contact_time_power_creep_all_signed():
-    return ()
-
-
-def block_contact_time_power_creep_all_signed(out, v, v_2, t_m, E, alpha, t_0, t0, f0):
-    np.divide(v_2, v, out)
-    np.log1p(out, out)
-    np.subtract(C0, alpha, t0)
-    np.divide(out, t0, t0)
-    np.minimum(t0, f0, out=t0)
-    np.expm1(t0, t0)
-    np.divide(t_m, t0, t0)
-    np.add(t_m, t0, out)
-
-
-def contact_time_standard_solid(v, v_2, t_m, E_inf, E_1, tau):
-    if v.__class__ is v_2.__class__ is t_m.__class__ is E_inf.__class__ is E_1.__class__ is tau.__class__ is float and v > 1e-30 and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (E_inf > 1e-30) and (E_inf < 1e+30) and (E_1 > 1e-30) and (E_1 < 1e+30) and (tau > -1e+30) and (tau < 1e+30):
-        try:
-            value = bodies._contact_time_standard_solid(v, v_2, t_m, E_inf, E_1, tau)
-            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
-                return value
-            if (value != value or value == 0.0) and ordinary(v, v_2, t_m, E_inf, E_1, tau):
+            if value != value and ordinary(v, v_2, t_m, t_h, E, alpha, t_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
     return None
 
 
-def earlier_time_kelvin_voigt(t, v, v_2, t_m, E, eta):
-    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is E.__class__ is eta.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
+def contact_time_standard_solid(v, v_2, t_m, t_h, E_inf, E_1, tau):
+    if v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is E_inf.__class__ is E_1.__class__ is tau.__class__ is float and v > 1e-30 and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (E_inf > 1e-30) and (E_inf < 1e+30) and (E_1 > 1e-30) and (E_1 < 1e+30) and (tau > -1e+30) and (tau < 1e+30):
+        try:
+            value = bodies._contact_time_standard_solid(v, v_2, t_m, t_h, E_inf, E_1, tau)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if (value != value or value == 0.0) and ordinary(v, v_2, t_m, t_h, E_inf, E_1, tau):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def earlier_time_kelvin_voigt(t, v, v_2, t_m, t_h, E, eta):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is E.__class__ is eta.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
         try:
             if t > t_m:
-                v7 = t - t_m
-                v14 = t_m - v_2 / v * ((v7 if v7 > 0.0 or v7 != v7 else 0.0) + eta / E)
-                return v14 if v14 > 0.0 or v14 != v14 else 0.0
+                v16 = t_m - (v_2 / v * (t - t_h + eta / E) if t > t_h else 0.0)
+                return v16 if v16 > 0.0 or v16 != v16 else 0.0
             return t
         except (ArithmeticError, ValueError):
             pass
     return None
 
 
-def prepare_earlier_time_kelvin_voigt_t(v, v_2, t_m, E, eta):
-    v6 = v_2 / v
+def prepare_earlier_time_kelvin_voigt_t(v, v_2, t_m, t_h, E, eta):
+    v7 = v_2 / v
     v10 = eta / E
-    return (t_m, v6, v10)
+    return (t_m, t_h, v7, v10)
 
 
-def block_earlier_time_kelvin_voigt_t(out, t, t_m, v6, v10, m0, f0):
+def block_earlier_time_kelvin_voigt_t(out, t, t_m, t_h, v7, v10, m0, m1, f0):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some16 = np.count_nonzero(m0)
-    if some16:
-        np.subtract(t, t_m, out)
-        np.maximum(out, f0, out=out)
-        np.add(out, v10, out)
-        np.multiply(v6, out, out)
+    some18 = np.count_nonzero(m0)
+    if some18:
+        np.greater(t, t_h, m1)
+        some14 = np.count_nonzero(m1)
+        if some14:
+            np.subtract(t, t_h, out)
+            np.add(out, v10, out)
+            np.multiply(v7, out, out)
+        if some14 != size:
+            np.copyto(out, C0, where=~m1)
         np.subtract(t_m, out, out)
         np.maximum(out, f0, out=out)
-    if some16 != size:
+    if some18 != size:
         np.copyto(out, t, where=~m0)
 
 
@@ -167,35 +159,40 @@ def prepare_earlier_time_kelvin_voigt_all():
     return ()
 
 
-def block_earlier_time_kelvin_voigt_all(out, t, v, v_2, t_m, E, eta, t0, t1, m0, f0):
+def block_earlier_time_kelvin_voigt_all(out, t, v, v_2, t_m, t_h, E, eta, t0, t1, m0, m1, f0):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some16 = np.count_nonzero(m0)
-    if some16:
-        np.divide(v_2, v, out)
-        np.subtract(t, t_m, t0)
-        np.maximum(t0, f0, out=t0)
-        np.divide(eta, E, t1)
-        np.add(t0, t1, t1)
-        np.multiply(out, t1, t1)
-        np.subtract(t_m, t1, t1)
-        np.maximum(t1, f0, out=out)
-    if some16 != size:
+    some18 = np.count_nonzero(m0)
+    if some18:
+        np.greater(t, t_h, m1)
+        some14 = np.count_nonzero(m1)
+        if some14:
+            np.divide(v_2, v, out)
+            np.subtract(t, t_h, t0)
+            np.divide(eta, E, t1)
+            np.add(t0, t1, t1)
+            np.multiply(out, t1, out)
+        if some14 != size:
+            np.copyto(out, C0, where=~m1)
+        np.subtract(t_m, out, out)
+        np.maximum(out, f0, out=out)
+    if some18 != size:
         np.copyto(out, t, where=~m0)
 
 
-def earlier_time_maxwell(t, v, v_2, t_m, E, tau):
-    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is E.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (E > 1e-30) and (E < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+def earlier_time_maxwell(t, v, v_2, t_m, t_h, E, tau):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is E.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (E > 1e-30) and (E < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
         try:
             if t > t_m:
-                v7 = t - t_m
-                v10 = (v7 if v7 > 0.0 or v7 != v7 else 0.0) / tau
-                v14 = v_2 / v * expm1(v10 if v10 < 700.0 or v10 != v10 else 700.0)
-                v26 = t_m - (-tau * log1p(-(v14 if v14 < 0.9999999999999998 or v14 != v14 else 0.9999999999999998)) if v14 < 1.0 else inf)
-                value = v26 if v26 > 0.0 or v26 != v26 else 0.0
+                v8 = t - t_h
+                v11 = (v8 if v8 > 0.0 or v8 != v8 else 0.0) / tau
+                v17 = (t_h - t_m) / tau
+                v20 = v_2 / v * expm1(v11 if v11 < 700.0 or v11 != v11 else 700.0) * exp(v17 if v17 < 700.0 or v17 != v17 else 700.0)
+                v32 = t_m - (-tau * log1p(-(v20 if v20 < 0.9999999999999998 or v20 != v20 else 0.9999999999999998)) if v20 < 1.0 else inf)
+                value = v32 if v32 > 0.0 or v32 != v32 else 0.0
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 return None
@@ -205,38 +202,43 @@ def earlier_time_maxwell(t, v, v_2, t_m, E, tau):
     return None
 
 
-def prepare_earlier_time_maxwell_t(v, v_2, t_m, E, tau):
-    v5 = v_2 / v
-    v16 = np.negative(tau)
-    return (t_m, tau, v5, v16)
+def prepare_earlier_time_maxwell_t(v, v_2, t_m, t_h, E, tau):
+    v6 = v_2 / v
+    v15 = t_h - t_m
+    v16 = v15 / tau
+    v17 = np.minimum(v16, (700.0))
+    v18 = np.exp(v17)
+    v22 = np.negative(tau)
+    return (t_m, t_h, tau, v6, v18, v22)
 
 
-def block_earlier_time_maxwell_t(out, t, t_m, tau, v5, v16, t0, m0, m1, f0, f1, f2):
+def block_earlier_time_maxwell_t(out, t, t_m, t_h, tau, v6, v18, v22, t0, m0, m1, f0, f1, f2):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some27 = np.count_nonzero(m0)
-    if some27:
-        np.subtract(t, t_m, out)
+    some33 = np.count_nonzero(m0)
+    if some33:
+        np.subtract(t, t_h, out)
         np.maximum(out, f0, out=out)
         np.divide(out, tau, out)
         np.minimum(out, f1, out=out)
         np.expm1(out, out)
-        np.multiply(v5, out, out)
-        np.less(out, C0, m1)
-        some23 = np.count_nonzero(m1)
-        if some23:
+        np.multiply(v6, out, out)
+        np.multiply(out, v18, out)
+        np.less(out, C1, m1)
+        some29 = np.count_nonzero(m1)
+        if some29:
             np.minimum(out, f2, out=t0)
             np.negative(t0, t0)
             np.log1p(t0, t0)
-            np.multiply(v16, t0, t0)
-        if some23 != size:
-            np.copyto(t0, C1, where=~m1)
+            np.multiply(v22, t0, t0)
+        if some29 != size:
+            np.copyto(t0, C2, where=~m1)
         np.subtract(t_m, t0, t0)
         np.maximum(t0, f0, out=out)
-    if some27 != size:
+    if some33 != size:
         np.copyto(out, t, where=~m0)
 
 
@@ -244,45 +246,51 @@ def prepare_earlier_time_maxwell_all():
     return ()
 
 
-def block_earlier_time_maxwell_all(out, t, v, v_2, t_m, E, tau, t0, t1, m0, m1, f0, f1, f2):
+def block_earlier_time_maxwell_all(out, t, v, v_2, t_m, t_h, E, tau, t0, t1, m0, m1, f0, f1, f2):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some27 = np.count_nonzero(m0)
-    if some27:
+    some33 = np.count_nonzero(m0)
+    if some33:
         np.divide(v_2, v, out)
-        np.subtract(t, t_m, t0)
+        np.subtract(t, t_h, t0)
         np.maximum(t0, f0, out=t0)
         np.divide(t0, tau, t0)
         np.minimum(t0, f1, out=t0)
         np.expm1(t0, t0)
         np.multiply(out, t0, t0)
-        np.less(t0, C0, m1)
-        some23 = np.count_nonzero(m1)
-        if some23:
-            np.negative(tau, out)
-            np.minimum(t0, f2, out=t1)
+        np.subtract(t_h, t_m, out)
+        np.divide(out, tau, out)
+        np.minimum(out, f1, out=out)
+        np.exp(out, out)
+        np.multiply(t0, out, out)
+        np.less(out, C1, m1)
+        some29 = np.count_nonzero(m1)
+        if some29:
+            np.negative(tau, t0)
+            np.minimum(out, f2, out=t1)
             np.negative(t1, t1)
             np.log1p(t1, t1)
-            np.multiply(out, t1, out)
-        if some23 != size:
-            np.copyto(out, C1, where=~m1)
-        np.subtract(t_m, out, out)
-        np.maximum(out, f0, out=out)
-    if some27 != size:
+            np.multiply(t0, t1, t0)
+        if some29 != size:
+            np.copyto(t0, C2, where=~m1)
+        np.subtract(t_m, t0, t0)
+        np.maximum(t0, f0, out=out)
+    if some33 != size:
         np.copyto(out, t, where=~m0)
 
 
-def earlier_time_power_creep(t, v, v_2, t_m, E, alpha, t_0):
-    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is E.__class__ is alpha.__class__ is t_0.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (E > 1e-30) and (E < 1e+30) and (alpha > 1e-30) and (alpha < 1.0) and (t_0 > 1e-30) and (t_0 < 1e+30):
+def earlier_time_power_creep(t, v, v_2, t_m, t_h, E, alpha, t_0):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is E.__class__ is alpha.__class__ is t_0.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (E > 1e-30) and (E < 1e+30) and (alpha > 1e-30) and (alpha < 1.0) and (t_0 > 1e-30) and (t_0 < 1e+30):
         try:
             if t > t_m:
-                v8 = t - t_m
-                v14 = log1p(v_2 / v) / (1.0 - alpha)
-                v20 = t_m - (v8 if v8 > 0.0 or v8 != v8 else 0.0) * expm1(v14 if v14 < 700.0 or v14 != v14 else 700.0)
-                value = v20 if v20 > 0.0 or v20 != v20 else 0.0
+                v11 = t - t_m
+                v16 = 1.0 - alpha
+                v21 = log1p(v_2 / v * pow((t - t_h) / v11 if t > t_h else 0.0, v16)) / v16
+                v27 = t_m - (v11 if v11 > 0.0 or v11 != v11 else 0.0) * expm1(v21 if v21 < 700.0 or v21 != v21 else 700.0)
+                value = v27 if v27 > 0.0 or v27 != v27 else 0.0
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 return None
@@ -292,30 +300,39 @@ def earlier_time_power_creep(t, v, v_2, t_m, E, alpha, t_0):
     return None
 
 
-def prepare_earlier_time_power_creep_t(v, v_2, t_m, E, alpha, t_0):
-    v5 = v_2 / v
-    v9 = np.log1p(v5)
-    v11 = (1.0) - alpha
-    v12 = v9 / v11
-    v14 = np.minimum(v12, (700.0))
-    v15 = np.expm1(v14)
-    return (t_m, v15)
+def prepare_earlier_time_power_creep_t(v, v_2, t_m, t_h, E, alpha, t_0):
+    v6 = v_2 / v
+    v14 = (1.0) - alpha
+    return (t_m, t_h, v6, v14)
 
 
-def block_earlier_time_power_creep_t(out, t, t_m, v15, m0, f0):
+def block_earlier_time_power_creep_t(out, t, t_m, t_h, v6, v14, t0, m0, m1, f0, f1):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some20 = np.count_nonzero(m0)
-    if some20:
+    some27 = np.count_nonzero(m0)
+    if some27:
+        np.greater(t, t_h, m1)
         np.subtract(t, t_m, out)
+        some12 = np.count_nonzero(m1)
+        if some12:
+            np.subtract(t, t_h, t0)
+            np.divide(t0, out, t0)
+        if some12 != size:
+            np.copyto(t0, C0, where=~m1)
         np.maximum(out, f0, out=out)
-        np.multiply(out, v15, out)
-        np.subtract(t_m, out, out)
-        np.maximum(out, f0, out=out)
-    if some20 != size:
+        np.power(t0, v14, t0)
+        np.multiply(v6, t0, t0)
+        np.log1p(t0, t0)
+        np.divide(t0, v14, t0)
+        np.minimum(t0, f1, out=t0)
+        np.expm1(t0, t0)
+        np.multiply(out, t0, t0)
+        np.subtract(t_m, t0, t0)
+        np.maximum(t0, f0, out=out)
+    if some27 != size:
         np.copyto(out, t, where=~m0)
 
 
@@ -323,36 +340,45 @@ def prepare_earlier_time_power_creep_all():
     return ()
 
 
-def block_earlier_time_power_creep_all(out, t, v, v_2, t_m, E, alpha, t_0, t0, t1, m0, f0, f1):
+def block_earlier_time_power_creep_all(out, t, v, v_2, t_m, t_h, E, alpha, t_0, t0, t1, t2, m0, m1, f0, f1):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some20 = np.count_nonzero(m0)
-    if some20:
+    some27 = np.count_nonzero(m0)
+    if some27:
         np.divide(v_2, v, out)
+        np.greater(t, t_h, m1)
         np.subtract(t, t_m, t0)
+        some12 = np.count_nonzero(m1)
+        if some12:
+            np.subtract(t, t_h, t1)
+            np.divide(t1, t0, t1)
+        if some12 != size:
+            np.copyto(t1, C0, where=~m1)
+        np.subtract(C1, alpha, t2)
         np.maximum(t0, f0, out=t0)
-        np.log1p(out, out)
-        np.subtract(C0, alpha, t1)
-        np.divide(out, t1, t1)
-        np.minimum(t1, f1, out=t1)
-        np.expm1(t1, t1)
-        np.multiply(t0, t1, t1)
-        np.subtract(t_m, t1, t1)
-        np.maximum(t1, f0, out=out)
-    if some20 != size:
+        np.power(t1, t2, t1)
+        np.multiply(out, t1, t1)
+        np.log1p(t1, t1)
+        np.divide(t1, t2, t2)
+        np.minimum(t2, f1, out=t2)
+        np.expm1(t2, t2)
+        np.multiply(t0, t2, t2)
+        np.subtract(t_m, t2, t2)
+        np.maximum(t2, f0, out=out)
+    if some27 != size:
         np.copyto(out, t, where=~m0)
 
 
-def earlier_time_standard_solid(t, v, v_2, t_m, E_inf, E_1, tau):
-    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is E_inf.__class__ is E_1.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (E_inf > 1e-30) and (E_inf < 1e+30) and (E_1 > 1e-30) and (E_1 < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+def earlier_time_standard_solid(t, v, v_2, t_m, t_h, E_inf, E_1, tau):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is E_inf.__class__ is E_1.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (E_inf > 1e-30) and (E_inf < 1e+30) and (E_1 > 1e-30) and (E_1 < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
         try:
-            value = bodies._earlier_time_standard_solid(t, v, v_2, t_m, E_inf, E_1, tau)
+            value = bodies._earlier_time_standard_solid(t, v, v_2, t_m, t_h, E_inf, E_1, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, E_inf, E_1, tau):
+            if value != value and ordinary(t, v, v_2, t_m, t_h, E_inf, E_1, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -445,29 +471,29 @@ def prepare_ramp_force_kelvin_voigt_t(A, n, v, E, eta):
 
 def block_ramp_force_kelvin_voigt_t(out, t, v, n, E, v76, v82, v85, v86, v102, t0, t1, t2, t3, t4, m0, m1, m2):
     size = out.size
-    np.equal(t, C2, m0)
+    np.equal(t, C0, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
     some107 = np.count_nonzero(m0)
     if some107:
-        np.copyto(out, C2)
+        np.copyto(out, C0)
     if some107 != size:
         other107 = t0 if some107 else out
         np.multiply(v, t, other107)
         np.divide(other107, v76, other107)
         np.multiply(v82, other107, t1)
         np.power(other107, v86, t2)
-        np.greater(other107, C2, m1)
-        np.less(other107, C1, m2)
+        np.greater(other107, C0, m1)
+        np.less(other107, C2, m2)
         np.bitwise_and(m1, m2, m2)
         some100 = np.count_nonzero(m2)
         if some100:
             np.power(t2, n, t3)
-            np.power(t2, C2, t4)
+            np.power(t2, C0, t4)
             np.multiply(t3, t4, t4)
             np.divide(other107, t4, t4)
-            np.subtract(t4, C0, t4)
+            np.subtract(t4, C1, t4)
             np.divide(t4, v85, t4)
             np.multiply(t2, t4, t4)
             np.add(t2, t4, t3)
@@ -487,16 +513,16 @@ def prepare_ramp_force_kelvin_voigt_all():
 
 def block_ramp_force_kelvin_voigt_all(out, t, A, n, v, E, eta, t0, t1, t2, t3, t4, t5, t6, t7, m0, m1, m2):
     size = out.size
-    np.equal(t, C2, m0)
+    np.equal(t, C0, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
     some107 = np.count_nonzero(m0)
     if some107:
-        np.copyto(out, C2)
+        np.copyto(out, C0)
     if some107 != size:
         other107 = t0 if some107 else out
-        np.add(n, C0, other107)
+        np.add(n, C1, other107)
         np.divide(other107, n, t1)
         np.multiply(v, t, t2)
         np.multiply(n, C3, t3)
@@ -505,23 +531,23 @@ def block_ramp_force_kelvin_voigt_all(out, t, A, n, v, E, eta, t0, t1, t2, t3, t
         np.add(t3, C3, t5)
         np.add(t3, C5, t6)
         np.multiply(t5, t6, t6)
-        np.less(t3, C0, m1)
+        np.less(t3, C1, m1)
         some28 = np.count_nonzero(m1)
         if some28:
-            np.add(t3, C0, t5)
+            np.add(t3, C1, t5)
             np.multiply(t3, t5, t5)
             np.divide(t5, t6, t5)
         if some28 != size:
             other28 = t7 if some28 else t5
             np.add(t3, C6, other28)
             np.divide(other28, t6, other28)
-            np.subtract(C0, other28, other28)
+            np.subtract(C1, other28, other28)
             if some28:
                 np.copyto(t5, other28, where=~m1)
         np.sqrt(t4, t6)
         np.multiply(t5, t6, t6)
         np.multiply(t4, t4, t4)
-        np.divide(C0, t4, t4)
+        np.divide(C1, t4, t4)
         np.multiply(C7, t4, t5)
         np.add(t5, C8, t5)
         np.multiply(t5, t4, t5)
@@ -545,10 +571,10 @@ def block_ramp_force_kelvin_voigt_all(out, t, A, n, v, E, eta, t0, t1, t2, t3, t
         np.multiply(t3, t4, t3)
         np.add(t3, C19, t3)
         np.multiply(t3, t4, t3)
-        np.add(t3, C0, t3)
+        np.add(t3, C1, t3)
         np.divide(t5, t3, t3)
         np.multiply(t4, t3, t3)
-        np.add(C0, t3, t3)
+        np.add(C1, t3, t3)
         np.multiply(t6, t3, t3)
         np.multiply(C20, A, t6)
         np.multiply(t6, t3, t6)
@@ -558,19 +584,19 @@ def block_ramp_force_kelvin_voigt_all(out, t, A, n, v, E, eta, t0, t1, t2, t3, t
         np.divide(t2, other107, other107)
         np.multiply(other107, t3, t3)
         np.multiply(t3, t6, t3)
-        np.add(n, C2, other107)
-        np.divide(C0, other107, t2)
+        np.add(n, C0, other107)
+        np.divide(C1, other107, t2)
         np.power(t6, t2, t2)
-        np.greater(t6, C2, m1)
-        np.less(t6, C1, m2)
+        np.greater(t6, C0, m1)
+        np.less(t6, C2, m2)
         np.bitwise_and(m1, m2, m2)
         some100 = np.count_nonzero(m2)
         if some100:
             np.power(t2, n, t4)
-            np.power(t2, C2, t5)
+            np.power(t2, C0, t5)
             np.multiply(t4, t5, t5)
             np.divide(t6, t5, t5)
-            np.subtract(t5, C0, t5)
+            np.subtract(t5, C1, t5)
             np.divide(t5, other107, t5)
             np.multiply(t2, t5, t5)
             np.add(t2, t5, t4)
@@ -624,40 +650,39 @@ def ramp_force_standard_solid(t, v, A, n, E_inf, E_1, tau):
     return None
 
 
-def retract_force_kelvin_voigt(t, v, v_2, t_m, A, n, E, eta):
-    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is A.__class__ is n.__class__ is E.__class__ is eta.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
+def retract_force_kelvin_voigt(t, v, v_2, t_m, t_h, A, n, E, eta):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is A.__class__ is n.__class__ is E.__class__ is eta.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
         try:
-            v15 = t > t_m
-            v20 = n + 1.0
-            v26 = n / 2.0 + 0.5
-            v28 = v26 + 1.75
-            v32 = (v26 + 0.5) * (v26 + 1.5)
-            v45 = 1.0 / (v28 * v28)
-            v86 = (v26 * (v26 + 1.0) / v32 if v26 < 1.0 else 1.0 - (v26 + 0.75) / v32) * sqrt(v28) * (1.0 + v45 * (((((((0.01524698625788054 * v45 + 0.5334320651111477) * v45 + 2.250488865813539) * v45 + 2.8612106440066865) * v45 + 1.3794681629043655) * v45 + 0.2596058532893223) * v45 + 0.015624999999999823) / ((((((3.278794792785737 * v45 + 49.328555418276075) * v45 + 167.28648538571198) * v45 + 195.37226190335065) * v45 + 90.69722535867314) * v45 + 16.763212110504565) * v45 + 1.0)))
-            v89 = 1.7724538509055159 * A * v86
-            v95 = 3.5449077018110318 * n * A / v20 * v86
-            v97 = n + 0.0
-            v98 = 1.0 / v97
-            if v15:
-                if v15:
-                    v9 = t - t_m
-                    v16 = t_m - v_2 / v * ((v9 if v9 > 0.0 or v9 != v9 else 0.0) + eta / E)
-                    v18 = v16 if v16 > 0.0 or v16 != v16 else 0.0
+            v17 = t > t_m
+            v22 = n + 1.0
+            v28 = n / 2.0 + 0.5
+            v30 = v28 + 1.75
+            v34 = (v28 + 0.5) * (v28 + 1.5)
+            v47 = 1.0 / (v30 * v30)
+            v88 = (v28 * (v28 + 1.0) / v34 if v28 < 1.0 else 1.0 - (v28 + 0.75) / v34) * sqrt(v30) * (1.0 + v47 * (((((((0.01524698625788054 * v47 + 0.5334320651111477) * v47 + 2.250488865813539) * v47 + 2.8612106440066865) * v47 + 1.3794681629043655) * v47 + 0.2596058532893223) * v47 + 0.015624999999999823) / ((((((3.278794792785737 * v47 + 49.328555418276075) * v47 + 167.28648538571198) * v47 + 195.37226190335065) * v47 + 90.69722535867314) * v47 + 16.763212110504565) * v47 + 1.0)))
+            v91 = 1.7724538509055159 * A * v88
+            v97 = 3.5449077018110318 * n * A / v22 * v88
+            v99 = n + 0.0
+            v100 = 1.0 / v99
+            if v17:
+                if v17:
+                    v18 = t_m - (v_2 / v * (t - t_h + eta / E) if t > t_h else 0.0)
+                    v20 = v18 if v18 > 0.0 or v18 != v18 else 0.0
                 else:
-                    v18 = t
-                if v18 > 0.0:
-                    v90 = v * v18 / v89
-                    v99 = pow(v90, v98)
-                    value = v95 * v90 * (v99 + v99 * ((v90 / (pow(v99, n) * pow(v99, 0.0)) - 1.0) / v97) if v90 > 0.0 and v90 < inf else v99) * (E + 0.0 * v18)
+                    v20 = t
+                if v20 > 0.0:
+                    v92 = v * v20 / v91
+                    v101 = pow(v92, v100)
+                    value = v97 * v92 * (v101 + v101 * ((v92 / (pow(v101, n) * pow(v101, 0.0)) - 1.0) / v99) if v92 > 0.0 and v92 < inf else v101) * (E + 0.0 * v20)
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
                     return None
                 return 0.0
             if t == 0.0:
                 return 0.0
-            v121 = v * t / v89
-            v123 = pow(v121, v98)
-            value = v95 * v121 * (v123 + v123 * ((v121 / (pow(v123, n) * pow(v123, 0.0)) - 1.0) / v97) if v121 > 0.0 and v121 < inf else v123) * (E + eta * (v20 / n) / t)
+            v125 = v * t / v91
+            v127 = pow(v125, v100)
+            value = v97 * v125 * (v127 + v127 * ((v125 / (pow(v127, n) * pow(v127, 0.0)) - 1.0) / v99) if v125 > 0.0 and v125 < inf else v127) * (E + eta * (v22 / n) / t)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             return None
@@ -666,186 +691,190 @@ def retract_force_kelvin_voigt(t, v, v_2, t_m, A, n, E, eta):
     return None
 
 
-def prepare_retract_force_kelvin_voigt_t(A, n, v, v_2, t_m, E, eta):
-    v8 = v_2 / v
+def prepare_retract_force_kelvin_voigt_t(A, n, v, v_2, t_m, t_h, E, eta):
+    v9 = v_2 / v
     v12 = eta / E
-    v20 = n + (1.0)
-    v21 = v20 / n
-    v24 = n / (2.0)
-    v26 = v24 + (0.5)
-    v28 = v26 + (1.75)
-    v29 = v26 + (0.5)
-    v31 = v26 + (1.5)
-    v32 = v29 * v31
-    v33 = np.less(v26, (1.0))
-    v34 = v26 + (1.0)
-    v35 = v26 * v34
-    v36 = v35 / v32
-    v38 = v26 + (0.75)
-    v39 = v38 / v32
-    v40 = (1.0) - v39
-    v41 = v36 if v33 else v40
-    v42 = np.sqrt(v28)
-    v43 = v41 * v42
-    v44 = v28 * v28
-    v45 = (1.0) / v44
-    v47 = (0.01524698625788054) * v45
-    v49 = v47 + (0.5334320651111477)
-    v50 = v49 * v45
-    v52 = v50 + (2.250488865813539)
-    v53 = v52 * v45
-    v55 = v53 + (2.8612106440066865)
-    v56 = v55 * v45
-    v58 = v56 + (1.3794681629043655)
-    v59 = v58 * v45
-    v61 = v59 + (0.2596058532893223)
-    v62 = v61 * v45
-    v64 = v62 + (0.015624999999999823)
-    v66 = (3.278794792785737) * v45
-    v68 = v66 + (49.328555418276075)
-    v69 = v68 * v45
-    v71 = v69 + (167.28648538571198)
-    v72 = v71 * v45
-    v74 = v72 + (195.37226190335065)
-    v75 = v74 * v45
-    v77 = v75 + (90.69722535867314)
-    v78 = v77 * v45
-    v80 = v78 + (16.763212110504565)
-    v81 = v80 * v45
-    v82 = v81 + (1.0)
-    v83 = v64 / v82
-    v84 = v45 * v83
-    v85 = (1.0) + v84
-    v86 = v43 * v85
-    v88 = (1.7724538509055159) * A
-    v89 = v88 * v86
-    v92 = (3.5449077018110318) * n
-    v93 = v92 * A
-    v94 = v93 / v20
-    v95 = v94 * v86
-    v97 = n + (0.0)
-    v98 = (1.0) / v97
-    v136 = eta * v21
-    return (v, t_m, n, E, v8, v12, v89, v95, v97, v98, v136)
+    v22 = n + (1.0)
+    v23 = v22 / n
+    v26 = n / (2.0)
+    v28 = v26 + (0.5)
+    v30 = v28 + (1.75)
+    v31 = v28 + (0.5)
+    v33 = v28 + (1.5)
+    v34 = v31 * v33
+    v35 = np.less(v28, (1.0))
+    v36 = v28 + (1.0)
+    v37 = v28 * v36
+    v38 = v37 / v34
+    v40 = v28 + (0.75)
+    v41 = v40 / v34
+    v42 = (1.0) - v41
+    v43 = v38 if v35 else v42
+    v44 = np.sqrt(v30)
+    v45 = v43 * v44
+    v46 = v30 * v30
+    v47 = (1.0) / v46
+    v49 = (0.01524698625788054) * v47
+    v51 = v49 + (0.5334320651111477)
+    v52 = v51 * v47
+    v54 = v52 + (2.250488865813539)
+    v55 = v54 * v47
+    v57 = v55 + (2.8612106440066865)
+    v58 = v57 * v47
+    v60 = v58 + (1.3794681629043655)
+    v61 = v60 * v47
+    v63 = v61 + (0.2596058532893223)
+    v64 = v63 * v47
+    v66 = v64 + (0.015624999999999823)
+    v68 = (3.278794792785737) * v47
+    v70 = v68 + (49.328555418276075)
+    v71 = v70 * v47
+    v73 = v71 + (167.28648538571198)
+    v74 = v73 * v47
+    v76 = v74 + (195.37226190335065)
+    v77 = v76 * v47
+    v79 = v77 + (90.69722535867314)
+    v80 = v79 * v47
+    v82 = v80 + (16.763212110504565)
+    v83 = v82 * v47
+    v84 = v83 + (1.0)
+    v85 = v66 / v84
+    v86 = v47 * v85
+    v87 = (1.0) + v86
+    v88 = v45 * v87
+    v90 = (1.7724538509055159) * A
+    v91 = v90 * v88
+    v94 = (3.5449077018110318) * n
+    v95 = v94 * A
+    v96 = v95 / v22
+    v97 = v96 * v88
+    v99 = n + (0.0)
+    v100 = (1.0) / v99
+    v138 = eta * v23
+    return (v, t_m, t_h, n, E, v9, v12, v91, v97, v99, v100, v138)
 
 
-def block_retract_force_kelvin_voigt_t(out, t, v, t_m, n, E, v8, v12, v89, v95, v97, v98, v136, t0, t1, t2, t3, t4, t5, m0, m1, m2, m3, f0):
+def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, n, E, v9, v12, v91, v97, v99, v100, v138, t0, t1, t2, t3, t4, t5, m0, m1, m2, m3, f0):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some142 = np.count_nonzero(m0)
-    if some142:
-        some18 = np.count_nonzero(m0)
-        if some18:
-            np.subtract(t, t_m, t0)
-            np.maximum(t0, f0, out=t0)
-            np.add(t0, v12, t0)
-            np.multiply(v8, t0, t0)
+    some144 = np.count_nonzero(m0)
+    if some144:
+        some20 = np.count_nonzero(m0)
+        if some20:
+            np.greater(t, t_h, m1)
+            some16 = np.count_nonzero(m1)
+            if some16:
+                np.subtract(t, t_h, t0)
+                np.add(t0, v12, t0)
+                np.multiply(v9, t0, t0)
+            if some16 != size:
+                np.copyto(t0, C0, where=~m1)
             np.subtract(t_m, t0, t0)
             np.maximum(t0, f0, out=t0)
-        if some18 != size:
+        if some20 != size:
             np.copyto(t0, t, where=~m0)
-        np.greater(t0, C2, m1)
-        some118 = np.count_nonzero(m1)
-        if some118:
+        np.greater(t0, C0, m1)
+        some120 = np.count_nonzero(m1)
+        if some120:
             np.multiply(v, t0, out)
-            np.divide(out, v89, out)
-            np.multiply(v95, out, t1)
-            np.power(out, v98, t2)
-            np.greater(out, C2, m2)
-            np.less(out, C1, m3)
+            np.divide(out, v91, out)
+            np.multiply(v97, out, t1)
+            np.power(out, v100, t2)
+            np.greater(out, C0, m2)
+            np.less(out, C2, m3)
             np.bitwise_and(m2, m3, m3)
-            some112 = np.count_nonzero(m3)
-            if some112:
+            some114 = np.count_nonzero(m3)
+            if some114:
                 np.power(t2, n, t3)
-                np.power(t2, C2, t4)
+                np.power(t2, C0, t4)
                 np.multiply(t3, t4, t4)
                 np.divide(out, t4, t4)
-                np.subtract(t4, C0, t4)
-                np.divide(t4, v97, t4)
+                np.subtract(t4, C1, t4)
+                np.divide(t4, v99, t4)
                 np.multiply(t2, t4, t4)
                 np.add(t2, t4, t3)
-            if some112 != size:
+            if some114 != size:
                 np.copyto(t3, t2, where=~m3)
             np.multiply(t1, t3, t3)
-            np.multiply(C2, t0, t1)
+            np.multiply(C0, t0, t1)
             np.add(E, t1, t1)
             np.multiply(t3, t1, out)
-        if some118 != size:
-            np.copyto(out, C2, where=~m1)
-    if some142 != size:
-        other142 = t0 if some142 else out
-        np.equal(t, C2, m1)
-        some141 = np.count_nonzero(m1)
-        if some141:
-            np.copyto(other142, C2)
-        if some141 != size:
-            other141 = t1 if some141 else other142
-            np.multiply(v, t, other141)
-            np.divide(other141, v89, other141)
-            np.multiply(v95, other141, t3)
-            np.power(other141, v98, t2)
-            np.greater(other141, C2, m3)
-            np.less(other141, C1, m2)
+        if some120 != size:
+            np.copyto(out, C0, where=~m1)
+    if some144 != size:
+        other144 = t0 if some144 else out
+        np.equal(t, C0, m1)
+        some143 = np.count_nonzero(m1)
+        if some143:
+            np.copyto(other144, C0)
+        if some143 != size:
+            other143 = t1 if some143 else other144
+            np.multiply(v, t, other143)
+            np.divide(other143, v91, other143)
+            np.multiply(v97, other143, t3)
+            np.power(other143, v100, t2)
+            np.greater(other143, C0, m3)
+            np.less(other143, C2, m2)
             np.bitwise_and(m3, m2, m2)
-            some134 = np.count_nonzero(m2)
-            if some134:
+            some136 = np.count_nonzero(m2)
+            if some136:
                 np.power(t2, n, t4)
-                np.power(t2, C2, t5)
+                np.power(t2, C0, t5)
                 np.multiply(t4, t5, t5)
-                np.divide(other141, t5, t5)
-                np.subtract(t5, C0, t5)
-                np.divide(t5, v97, t5)
+                np.divide(other143, t5, t5)
+                np.subtract(t5, C1, t5)
+                np.divide(t5, v99, t5)
                 np.multiply(t2, t5, t5)
                 np.add(t2, t5, t4)
-            if some134 != size:
+            if some136 != size:
                 np.copyto(t4, t2, where=~m2)
             np.multiply(t3, t4, t4)
-            np.divide(v136, t, t3)
+            np.divide(v138, t, t3)
             np.add(E, t3, t3)
-            np.multiply(t4, t3, other141)
-            if some141:
-                np.copyto(other142, other141, where=~m1)
-        if some142:
-            np.copyto(out, other142, where=~m0)
+            np.multiply(t4, t3, other143)
+            if some143:
+                np.copyto(other144, other143, where=~m1)
+        if some144:
+            np.copyto(out, other144, where=~m0)
 
 
 def prepare_retract_force_kelvin_voigt_all():
     return ()
 
 
-def block_retract_force_kelvin_voigt_all(out, t, A, n, v, v_2, t_m, E, eta, t0, t1, t2, t3, t4, t5, t6, t7, t8, t9, t10, t11, m0, m1, m2, m3, f0):
+def block_retract_force_kelvin_voigt_all(out, t, A, n, v, v_2, t_m, t_h, E, eta, t0, t1, t2, t3, t4, t5, t6, t7, t8, t9, t10, t11, m0, m1, m2, m3, f0):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    np.add(n, C0, t0)
+    np.add(n, C1, t0)
     np.multiply(n, C3, t1)
     np.add(t1, C3, t1)
     np.add(t1, C4, t2)
     np.add(t1, C3, t3)
     np.add(t1, C5, t4)
     np.multiply(t3, t4, t4)
-    np.less(t1, C0, m1)
-    some41 = np.count_nonzero(m1)
-    if some41:
-        np.add(t1, C0, t3)
+    np.less(t1, C1, m1)
+    some43 = np.count_nonzero(m1)
+    if some43:
+        np.add(t1, C1, t3)
         np.multiply(t1, t3, t3)
         np.divide(t3, t4, t3)
-    if some41 != size:
-        other41 = t5 if some41 else t3
-        np.add(t1, C6, other41)
-        np.divide(other41, t4, other41)
-        np.subtract(C0, other41, other41)
-        if some41:
-            np.copyto(t3, other41, where=~m1)
+    if some43 != size:
+        other43 = t5 if some43 else t3
+        np.add(t1, C6, other43)
+        np.divide(other43, t4, other43)
+        np.subtract(C1, other43, other43)
+        if some43:
+            np.copyto(t3, other43, where=~m1)
     np.sqrt(t2, t4)
     np.multiply(t3, t4, t4)
     np.multiply(t2, t2, t2)
-    np.divide(C0, t2, t2)
+    np.divide(C1, t2, t2)
     np.multiply(C7, t2, t3)
     np.add(t3, C8, t3)
     np.multiply(t3, t2, t3)
@@ -869,10 +898,10 @@ def block_retract_force_kelvin_voigt_all(out, t, A, n, v, v_2, t_m, E, eta, t0, 
     np.multiply(t1, t2, t1)
     np.add(t1, C19, t1)
     np.multiply(t1, t2, t1)
-    np.add(t1, C0, t1)
+    np.add(t1, C1, t1)
     np.divide(t3, t1, t1)
     np.multiply(t2, t1, t1)
-    np.add(C0, t1, t1)
+    np.add(C1, t1, t1)
     np.multiply(t4, t1, t1)
     np.multiply(C20, A, t4)
     np.multiply(t4, t1, t4)
@@ -880,152 +909,155 @@ def block_retract_force_kelvin_voigt_all(out, t, A, n, v, v_2, t_m, E, eta, t0, 
     np.multiply(t2, A, t2)
     np.divide(t2, t0, t2)
     np.multiply(t2, t1, t1)
-    np.add(n, C2, t2)
-    np.divide(C0, t2, t3)
-    some142 = np.count_nonzero(m0)
-    if some142:
-        some18 = np.count_nonzero(m0)
-        if some18:
-            np.divide(v_2, v, t5)
-            np.subtract(t, t_m, t6)
-            np.maximum(t6, f0, out=t6)
-            np.divide(eta, E, t7)
-            np.add(t6, t7, t7)
-            np.multiply(t5, t7, t7)
-            np.subtract(t_m, t7, t7)
-            np.maximum(t7, f0, out=t5)
-        if some18 != size:
+    np.add(n, C0, t2)
+    np.divide(C1, t2, t3)
+    some144 = np.count_nonzero(m0)
+    if some144:
+        some20 = np.count_nonzero(m0)
+        if some20:
+            np.greater(t, t_h, m1)
+            some16 = np.count_nonzero(m1)
+            if some16:
+                np.divide(v_2, v, t5)
+                np.subtract(t, t_h, t6)
+                np.divide(eta, E, t7)
+                np.add(t6, t7, t7)
+                np.multiply(t5, t7, t5)
+            if some16 != size:
+                np.copyto(t5, C0, where=~m1)
+            np.subtract(t_m, t5, t5)
+            np.maximum(t5, f0, out=t5)
+        if some20 != size:
             np.copyto(t5, t, where=~m0)
-        np.greater(t5, C2, m1)
-        some118 = np.count_nonzero(m1)
-        if some118:
+        np.greater(t5, C0, m1)
+        some120 = np.count_nonzero(m1)
+        if some120:
             np.multiply(v, t5, out)
             np.divide(out, t4, out)
             np.multiply(t1, out, t7)
             np.power(out, t3, t6)
-            np.greater(out, C2, m2)
-            np.less(out, C1, m3)
+            np.greater(out, C0, m2)
+            np.less(out, C2, m3)
             np.bitwise_and(m2, m3, m3)
-            some112 = np.count_nonzero(m3)
-            if some112:
+            some114 = np.count_nonzero(m3)
+            if some114:
                 np.power(t6, n, t8)
-                np.power(t6, C2, t9)
+                np.power(t6, C0, t9)
                 np.multiply(t8, t9, t9)
                 np.divide(out, t9, t9)
-                np.subtract(t9, C0, t9)
+                np.subtract(t9, C1, t9)
                 np.divide(t9, t2, t9)
                 np.multiply(t6, t9, t9)
                 np.add(t6, t9, t8)
-            if some112 != size:
+            if some114 != size:
                 np.copyto(t8, t6, where=~m3)
             np.multiply(t7, t8, t8)
-            np.multiply(C2, t5, t7)
+            np.multiply(C0, t5, t7)
             np.add(E, t7, t7)
             np.multiply(t8, t7, out)
-        if some118 != size:
-            np.copyto(out, C2, where=~m1)
-    if some142 != size:
-        other142 = t5 if some142 else out
-        np.equal(t, C2, m1)
-        some141 = np.count_nonzero(m1)
-        if some141:
-            np.copyto(other142, C2)
-        if some141 != size:
-            other141 = t7 if some141 else other142
-            np.divide(t0, n, other141)
+        if some120 != size:
+            np.copyto(out, C0, where=~m1)
+    if some144 != size:
+        other144 = t5 if some144 else out
+        np.equal(t, C0, m1)
+        some143 = np.count_nonzero(m1)
+        if some143:
+            np.copyto(other144, C0)
+        if some143 != size:
+            other143 = t7 if some143 else other144
+            np.divide(t0, n, other143)
             np.multiply(v, t, t8)
             np.divide(t8, t4, t8)
             np.multiply(t1, t8, t6)
             np.power(t8, t3, t9)
-            np.greater(t8, C2, m3)
-            np.less(t8, C1, m2)
+            np.greater(t8, C0, m3)
+            np.less(t8, C2, m2)
             np.bitwise_and(m3, m2, m2)
-            some134 = np.count_nonzero(m2)
-            if some134:
+            some136 = np.count_nonzero(m2)
+            if some136:
                 np.power(t9, n, t10)
-                np.power(t9, C2, t11)
+                np.power(t9, C0, t11)
                 np.multiply(t10, t11, t11)
                 np.divide(t8, t11, t11)
-                np.subtract(t11, C0, t11)
+                np.subtract(t11, C1, t11)
                 np.divide(t11, t2, t11)
                 np.multiply(t9, t11, t11)
                 np.add(t9, t11, t10)
-            if some134 != size:
+            if some136 != size:
                 np.copyto(t10, t9, where=~m2)
             np.multiply(t6, t10, t10)
-            np.multiply(eta, other141, other141)
-            np.divide(other141, t, other141)
-            np.add(E, other141, other141)
-            np.multiply(t10, other141, other141)
-            if some141:
-                np.copyto(other142, other141, where=~m1)
-        if some142:
-            np.copyto(out, other142, where=~m0)
+            np.multiply(eta, other143, other143)
+            np.divide(other143, t, other143)
+            np.add(E, other143, other143)
+            np.multiply(t10, other143, other143)
+            if some143:
+                np.copyto(other144, other143, where=~m1)
+        if some144:
+            np.copyto(out, other144, where=~m0)
 
 
-def retract_force_maxwell(t, v, v_2, t_m, A, n, E, tau):
-    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is A.__class__ is n.__class__ is E.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E > 1e-30) and (E < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+def retract_force_maxwell(t, v, v_2, t_m, t_h, A, n, E, tau):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is A.__class__ is n.__class__ is E.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E > 1e-30) and (E < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
         try:
-            value = bodies._retract_force_maxwell(t, v, v_2, t_m, A, n, E, tau)
+            value = bodies._retract_force_maxwell(t, v, v_2, t_m, t_h, A, n, E, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, A, n, E, tau):
+            if value != value and ordinary(t, v, v_2, t_m, t_h, A, n, E, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass
     return None
 
 
-def retract_force_power_creep(t, v, v_2, t_m, A, n, E, alpha, t_0):
-    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is A.__class__ is n.__class__ is E.__class__ is alpha.__class__ is t_0.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E > 1e-30) and (E < 1e+30) and (alpha > 1e-30) and (alpha < 1.0) and (t_0 > 1e-30) and (t_0 < 1e+30):
+def retract_force_power_creep(t, v, v_2, t_m, t_h, A, n, E, alpha, t_0):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is A.__class__ is n.__class__ is E.__class__ is alpha.__class__ is t_0.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E > 1e-30) and (E < 1e+30) and (alpha > 1e-30) and (alpha < 1.0) and (t_0 > 1e-30) and (t_0 < 1e+30):
         try:
-            value = bodies._retract_force_power_creep(t, v, v_2, t_m, A, n, E, alpha, t_0)
+            value = bodies._retract_force_power_creep(t, v, v_2, t_m, t_h, A, n, E, alpha, t_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, A, n, E, alpha, t_0):
+            if value != value and ordinary(t, v, v_2, t_m, t_h, A, n, E, alpha, t_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
     return None
 
 
-def retract_force_standard_solid(t, v, v_2, t_m, A, n, E_inf, E_1, tau):
-    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is A.__class__ is n.__class__ is E_inf.__class__ is E_1.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E_inf > 1e-30) and (E_inf < 1e+30) and (E_1 > 1e-30) and (E_1 < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+def retract_force_standard_solid(t, v, v_2, t_m, t_h, A, n, E_inf, E_1, tau):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is A.__class__ is n.__class__ is E_inf.__class__ is E_1.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E_inf > 1e-30) and (E_inf < 1e+30) and (E_1 > 1e-30) and (E_1 < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
         try:
-            value = bodies._retract_force_standard_solid(t, v, v_2, t_m, A, n, E_inf, E_1, tau)
+            value = bodies._retract_force_standard_solid(t, v, v_2, t_m, t_h, A, n, E_inf, E_1, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, A, n, E_inf, E_1, tau):
+            if value != value and ordinary(t, v, v_2, t_m, t_h, A, n, E_inf, E_1, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass
     return None
 
 
-def retract_radius_kelvin_voigt(t, v, v_2, t_m, A, n, E, eta):
-    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is A.__class__ is n.__class__ is E.__class__ is eta.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
+def retract_radius_kelvin_voigt(t, v, v_2, t_m, t_h, A, n, E, eta):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is A.__class__ is n.__class__ is E.__class__ is eta.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
         try:
             if t > t_m:
-                v9 = t - t_m
-                v16 = t_m - v_2 / v * ((v9 if v9 > 0.0 or v9 != v9 else 0.0) + eta / E)
-                v18 = v16 if v16 > 0.0 or v16 != v16 else 0.0
+                v18 = t_m - (v_2 / v * (t - t_h + eta / E) if t > t_h else 0.0)
+                v20 = v18 if v18 > 0.0 or v18 != v18 else 0.0
             else:
-                v18 = t
-            if v18 <= 0.0:
+                v20 = t
+            if v20 <= 0.0:
                 return 0.0
-            v24 = n / 2.0 + 0.5
-            v26 = v24 + 1.75
-            v30 = (v24 + 0.5) * (v24 + 1.5)
-            v44 = 1.0 / (v26 * v26)
-            v89 = v * v18 / (1.7724538509055159 * A * ((v24 * (v24 + 1.0) / v30 if v24 < 1.0 else 1.0 - (v24 + 0.75) / v30) * sqrt(v26) * (1.0 + v44 * (((((((0.01524698625788054 * v44 + 0.5334320651111477) * v44 + 2.250488865813539) * v44 + 2.8612106440066865) * v44 + 1.3794681629043655) * v44 + 0.2596058532893223) * v44 + 0.015624999999999823) / ((((((3.278794792785737 * v44 + 49.328555418276075) * v44 + 167.28648538571198) * v44 + 195.37226190335065) * v44 + 90.69722535867314) * v44 + 16.763212110504565) * v44 + 1.0)))))
-            v90 = n + 0.0
-            v92 = pow(v89, 1.0 / v90)
-            if v89 > 0.0 and v89 < inf:
-                value = v92 + v92 * ((v89 / (pow(v92, n) * pow(v92, 0.0)) - 1.0) / v90)
+            v26 = n / 2.0 + 0.5
+            v28 = v26 + 1.75
+            v32 = (v26 + 0.5) * (v26 + 1.5)
+            v46 = 1.0 / (v28 * v28)
+            v91 = v * v20 / (1.7724538509055159 * A * ((v26 * (v26 + 1.0) / v32 if v26 < 1.0 else 1.0 - (v26 + 0.75) / v32) * sqrt(v28) * (1.0 + v46 * (((((((0.01524698625788054 * v46 + 0.5334320651111477) * v46 + 2.250488865813539) * v46 + 2.8612106440066865) * v46 + 1.3794681629043655) * v46 + 0.2596058532893223) * v46 + 0.015624999999999823) / ((((((3.278794792785737 * v46 + 49.328555418276075) * v46 + 167.28648538571198) * v46 + 195.37226190335065) * v46 + 90.69722535867314) * v46 + 16.763212110504565) * v46 + 1.0)))))
+            v92 = n + 0.0
+            v94 = pow(v91, 1.0 / v92)
+            if v91 > 0.0 and v91 < inf:
+                value = v94 + v94 * ((v91 / (pow(v94, n) * pow(v94, 0.0)) - 1.0) / v92)
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 return None
-            value = v92
+            value = v94
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             return None
@@ -1034,134 +1066,142 @@ def retract_radius_kelvin_voigt(t, v, v_2, t_m, A, n, E, eta):
     return None
 
 
-def prepare_retract_radius_kelvin_voigt_t(A, n, v, v_2, t_m, E, eta):
-    v8 = v_2 / v
+def prepare_retract_radius_kelvin_voigt_t(A, n, v, v_2, t_m, t_h, E, eta):
+    v9 = v_2 / v
     v12 = eta / E
-    v22 = n / (2.0)
-    v24 = v22 + (0.5)
-    v26 = v24 + (1.75)
-    v27 = v24 + (0.5)
-    v29 = v24 + (1.5)
-    v30 = v27 * v29
-    v32 = np.less(v24, (1.0))
-    v33 = v24 + (1.0)
-    v34 = v24 * v33
-    v35 = v34 / v30
-    v37 = v24 + (0.75)
-    v38 = v37 / v30
-    v39 = (1.0) - v38
-    v40 = v35 if v32 else v39
-    v41 = np.sqrt(v26)
-    v42 = v40 * v41
-    v43 = v26 * v26
-    v44 = (1.0) / v43
-    v46 = (0.01524698625788054) * v44
-    v48 = v46 + (0.5334320651111477)
-    v49 = v48 * v44
-    v51 = v49 + (2.250488865813539)
-    v52 = v51 * v44
-    v54 = v52 + (2.8612106440066865)
-    v55 = v54 * v44
-    v57 = v55 + (1.3794681629043655)
-    v58 = v57 * v44
-    v60 = v58 + (0.2596058532893223)
-    v61 = v60 * v44
-    v63 = v61 + (0.015624999999999823)
-    v65 = (3.278794792785737) * v44
-    v67 = v65 + (49.328555418276075)
-    v68 = v67 * v44
-    v70 = v68 + (167.28648538571198)
-    v71 = v70 * v44
-    v73 = v71 + (195.37226190335065)
-    v74 = v73 * v44
-    v76 = v74 + (90.69722535867314)
-    v77 = v76 * v44
-    v79 = v77 + (16.763212110504565)
-    v80 = v79 * v44
-    v81 = v80 + (1.0)
-    v82 = v63 / v81
-    v83 = v44 * v82
-    v84 = (1.0) + v83
-    v85 = v42 * v84
-    v87 = (1.7724538509055159) * A
-    v88 = v87 * v85
-    v90 = n + (0.0)
-    v91 = (1.0) / v90
-    return (v, t_m, n, v8, v12, v88, v90, v91)
+    v24 = n / (2.0)
+    v26 = v24 + (0.5)
+    v28 = v26 + (1.75)
+    v29 = v26 + (0.5)
+    v31 = v26 + (1.5)
+    v32 = v29 * v31
+    v34 = np.less(v26, (1.0))
+    v35 = v26 + (1.0)
+    v36 = v26 * v35
+    v37 = v36 / v32
+    v39 = v26 + (0.75)
+    v40 = v39 / v32
+    v41 = (1.0) - v40
+    v42 = v37 if v34 else v41
+    v43 = np.sqrt(v28)
+    v44 = v42 * v43
+    v45 = v28 * v28
+    v46 = (1.0) / v45
+    v48 = (0.01524698625788054) * v46
+    v50 = v48 + (0.5334320651111477)
+    v51 = v50 * v46
+    v53 = v51 + (2.250488865813539)
+    v54 = v53 * v46
+    v56 = v54 + (2.8612106440066865)
+    v57 = v56 * v46
+    v59 = v57 + (1.3794681629043655)
+    v60 = v59 * v46
+    v62 = v60 + (0.2596058532893223)
+    v63 = v62 * v46
+    v65 = v63 + (0.015624999999999823)
+    v67 = (3.278794792785737) * v46
+    v69 = v67 + (49.328555418276075)
+    v70 = v69 * v46
+    v72 = v70 + (167.28648538571198)
+    v73 = v72 * v46
+    v75 = v73 + (195.37226190335065)
+    v76 = v75 * v46
+    v78 = v76 + (90.69722535867314)
+    v79 = v78 * v46
+    v81 = v79 + (16.763212110504565)
+    v82 = v81 * v46
+    v83 = v82 + (1.0)
+    v84 = v65 / v83
+    v85 = v46 * v84
+    v86 = (1.0) + v85
+    v87 = v44 * v86
+    v89 = (1.7724538509055159) * A
+    v90 = v89 * v87
+    v92 = n + (0.0)
+    v93 = (1.0) / v92
+    return (v, t_m, t_h, n, v9, v12, v90, v92, v93)
 
 
-def block_retract_radius_kelvin_voigt_t(out, t, v, t_m, n, v8, v12, v88, v90, v91, t0, t1, t2, t3, t4, m0, m1, m2, f0):
+def block_retract_radius_kelvin_voigt_t(out, t, v, t_m, t_h, n, v9, v12, v90, v92, v93, t0, t1, t2, t3, t4, m0, m1, m2, f0):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some18 = np.count_nonzero(m0)
-    if some18:
-        np.subtract(t, t_m, t0)
-        np.maximum(t0, f0, out=t0)
-        np.add(t0, v12, t0)
-        np.multiply(v8, t0, t0)
+    some20 = np.count_nonzero(m0)
+    if some20:
+        np.greater(t, t_h, m1)
+        some16 = np.count_nonzero(m1)
+        if some16:
+            np.subtract(t, t_h, t0)
+            np.add(t0, v12, t0)
+            np.multiply(v9, t0, t0)
+        if some16 != size:
+            np.copyto(t0, C0, where=~m1)
         np.subtract(t_m, t0, t0)
         np.maximum(t0, f0, out=t0)
-    if some18 != size:
+    if some20 != size:
         np.copyto(t0, t, where=~m0)
-    np.less_equal(t0, C2, m0)
-    some106 = np.count_nonzero(m0)
-    if some106:
-        np.copyto(out, C2)
-    if some106 != size:
-        other106 = t1 if some106 else out
+    np.less_equal(t0, C0, m0)
+    some108 = np.count_nonzero(m0)
+    if some108:
+        np.copyto(out, C0)
+    if some108 != size:
+        other108 = t1 if some108 else out
         np.multiply(v, t0, t2)
-        np.divide(t2, v88, t2)
-        np.power(t2, v91, t3)
-        np.greater(t2, C2, m1)
-        np.less(t2, C1, m2)
+        np.divide(t2, v90, t2)
+        np.power(t2, v93, t3)
+        np.greater(t2, C0, m1)
+        np.less(t2, C2, m2)
         np.bitwise_and(m1, m2, m2)
-        some105 = np.count_nonzero(m2)
-        if some105:
-            np.power(t3, n, other106)
-            np.power(t3, C2, t4)
-            np.multiply(other106, t4, t4)
+        some107 = np.count_nonzero(m2)
+        if some107:
+            np.power(t3, n, other108)
+            np.power(t3, C0, t4)
+            np.multiply(other108, t4, t4)
             np.divide(t2, t4, t4)
-            np.subtract(t4, C0, t4)
-            np.divide(t4, v90, t4)
+            np.subtract(t4, C1, t4)
+            np.divide(t4, v92, t4)
             np.multiply(t3, t4, t4)
-            np.add(t3, t4, other106)
-        if some105 != size:
-            np.copyto(other106, t3, where=~m2)
-        if some106:
-            np.copyto(out, other106, where=~m0)
+            np.add(t3, t4, other108)
+        if some107 != size:
+            np.copyto(other108, t3, where=~m2)
+        if some108:
+            np.copyto(out, other108, where=~m0)
 
 
 def prepare_retract_radius_kelvin_voigt_all():
     return ()
 
 
-def block_retract_radius_kelvin_voigt_all(out, t, A, n, v, v_2, t_m, E, eta, t0, t1, t2, t3, t4, t5, t6, t7, m0, m1, m2, f0):
+def block_retract_radius_kelvin_voigt_all(out, t, A, n, v, v_2, t_m, t_h, E, eta, t0, t1, t2, t3, t4, t5, t6, t7, m0, m1, m2, f0):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some18 = np.count_nonzero(m0)
-    if some18:
-        np.divide(v_2, v, t0)
-        np.subtract(t, t_m, t1)
-        np.maximum(t1, f0, out=t1)
-        np.divide(eta, E, t2)
-        np.add(t1, t2, t2)
-        np.multiply(t0, t2, t2)
-        np.subtract(t_m, t2, t2)
-        np.maximum(t2, f0, out=t0)
-    if some18 != size:
+    some20 = np.count_nonzero(m0)
+    if some20:
+        np.greater(t, t_h, m1)
+        some16 = np.count_nonzero(m1)
+        if some16:
+            np.divide(v_2, v, t0)
+            np.subtract(t, t_h, t1)
+            np.divide(eta, E, t2)
+            np.add(t1, t2, t2)
+            np.multiply(t0, t2, t0)
+        if some16 != size:
+            np.copyto(t0, C0, where=~m1)
+        np.subtract(t_m, t0, t0)
+        np.maximum(t0, f0, out=t0)
+    if some20 != size:
         np.copyto(t0, t, where=~m0)
-    np.less_equal(t0, C2, m0)
-    some106 = np.count_nonzero(m0)
-    if some106:
-        np.copyto(out, C2)
-    if some106 != size:
-        other106 = t2 if some106 else out
+    np.less_equal(t0, C0, m0)
+    some108 = np.count_nonzero(m0)
+    if some108:
+        np.copyto(out, C0)
+    if some108 != size:
+        other108 = t2 if some108 else out
         np.multiply(v, t0, t1)
         np.multiply(n, C3, t3)
         np.add(t3, C3, t3)
@@ -1169,23 +1209,23 @@ def block_retract_radius_kelvin_voigt_all(out, t, A, n, v, v_2, t_m, E, eta, t0,
         np.add(t3, C3, t5)
         np.add(t3, C5, t6)
         np.multiply(t5, t6, t6)
-        np.less(t3, C0, m1)
-        some40 = np.count_nonzero(m1)
-        if some40:
-            np.add(t3, C0, t5)
+        np.less(t3, C1, m1)
+        some42 = np.count_nonzero(m1)
+        if some42:
+            np.add(t3, C1, t5)
             np.multiply(t3, t5, t5)
             np.divide(t5, t6, t5)
-        if some40 != size:
-            other40 = t7 if some40 else t5
-            np.add(t3, C6, other40)
-            np.divide(other40, t6, other40)
-            np.subtract(C0, other40, other40)
-            if some40:
-                np.copyto(t5, other40, where=~m1)
+        if some42 != size:
+            other42 = t7 if some42 else t5
+            np.add(t3, C6, other42)
+            np.divide(other42, t6, other42)
+            np.subtract(C1, other42, other42)
+            if some42:
+                np.copyto(t5, other42, where=~m1)
         np.sqrt(t4, t6)
         np.multiply(t5, t6, t6)
         np.multiply(t4, t4, t4)
-        np.divide(C0, t4, t4)
+        np.divide(C1, t4, t4)
         np.multiply(C7, t4, t5)
         np.add(t5, C8, t5)
         np.multiply(t5, t4, t5)
@@ -1209,65 +1249,66 @@ def block_retract_radius_kelvin_voigt_all(out, t, A, n, v, v_2, t_m, E, eta, t0,
         np.multiply(t3, t4, t3)
         np.add(t3, C19, t3)
         np.multiply(t3, t4, t3)
-        np.add(t3, C0, t3)
+        np.add(t3, C1, t3)
         np.divide(t5, t3, t3)
         np.multiply(t4, t3, t3)
-        np.add(C0, t3, t3)
+        np.add(C1, t3, t3)
         np.multiply(t6, t3, t3)
         np.multiply(C20, A, t6)
         np.multiply(t6, t3, t3)
         np.divide(t1, t3, t3)
-        np.add(n, C2, t1)
-        np.divide(C0, t1, t6)
+        np.add(n, C0, t1)
+        np.divide(C1, t1, t6)
         np.power(t3, t6, t6)
-        np.greater(t3, C2, m1)
-        np.less(t3, C1, m2)
+        np.greater(t3, C0, m1)
+        np.less(t3, C2, m2)
         np.bitwise_and(m1, m2, m2)
-        some105 = np.count_nonzero(m2)
-        if some105:
-            np.power(t6, n, other106)
-            np.power(t6, C2, t4)
-            np.multiply(other106, t4, t4)
+        some107 = np.count_nonzero(m2)
+        if some107:
+            np.power(t6, n, other108)
+            np.power(t6, C0, t4)
+            np.multiply(other108, t4, t4)
             np.divide(t3, t4, t4)
-            np.subtract(t4, C0, t4)
+            np.subtract(t4, C1, t4)
             np.divide(t4, t1, t4)
             np.multiply(t6, t4, t4)
-            np.add(t6, t4, other106)
-        if some105 != size:
-            np.copyto(other106, t6, where=~m2)
-        if some106:
-            np.copyto(out, other106, where=~m0)
+            np.add(t6, t4, other108)
+        if some107 != size:
+            np.copyto(other108, t6, where=~m2)
+        if some108:
+            np.copyto(out, other108, where=~m0)
 
 
-def retract_radius_maxwell(t, v, v_2, t_m, A, n, E, tau):
-    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is A.__class__ is n.__class__ is E.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E > 1e-30) and (E < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+def retract_radius_maxwell(t, v, v_2, t_m, t_h, A, n, E, tau):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is A.__class__ is n.__class__ is E.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E > 1e-30) and (E < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
         try:
             if t > t_m:
-                v9 = t - t_m
-                v12 = (v9 if v9 > 0.0 or v9 != v9 else 0.0) / tau
-                v16 = v_2 / v * expm1(v12 if v12 < 700.0 or v12 != v12 else 700.0)
-                v28 = t_m - (-tau * log1p(-(v16 if v16 < 0.9999999999999998 or v16 != v16 else 0.9999999999999998)) if v16 < 1.0 else inf)
-                v30 = v28 if v28 > 0.0 or v28 != v28 else 0.0
+                v10 = t - t_h
+                v13 = (v10 if v10 > 0.0 or v10 != v10 else 0.0) / tau
+                v19 = (t_h - t_m) / tau
+                v22 = v_2 / v * expm1(v13 if v13 < 700.0 or v13 != v13 else 700.0) * exp(v19 if v19 < 700.0 or v19 != v19 else 700.0)
+                v34 = t_m - (-tau * log1p(-(v22 if v22 < 0.9999999999999998 or v22 != v22 else 0.9999999999999998)) if v22 < 1.0 else inf)
+                v36 = v34 if v34 > 0.0 or v34 != v34 else 0.0
             else:
-                v30 = t
-            if v30 <= 0.0:
+                v36 = t
+            if v36 <= 0.0:
                 value = 0.0
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 return None
-            v36 = n / 2.0 + 0.5
-            v38 = v36 + 1.75
-            v42 = (v36 + 0.5) * (v36 + 1.5)
-            v55 = 1.0 / (v38 * v38)
-            v100 = v * v30 / (1.7724538509055159 * A * ((v36 * (v36 + 1.0) / v42 if v36 < 1.0 else 1.0 - (v36 + 0.75) / v42) * sqrt(v38) * (1.0 + v55 * (((((((0.01524698625788054 * v55 + 0.5334320651111477) * v55 + 2.250488865813539) * v55 + 2.8612106440066865) * v55 + 1.3794681629043655) * v55 + 0.2596058532893223) * v55 + 0.015624999999999823) / ((((((3.278794792785737 * v55 + 49.328555418276075) * v55 + 167.28648538571198) * v55 + 195.37226190335065) * v55 + 90.69722535867314) * v55 + 16.763212110504565) * v55 + 1.0)))))
-            v101 = n + 0.0
-            v103 = pow(v100, 1.0 / v101)
-            if v100 > 0.0 and v100 < inf:
-                value = v103 + v103 * ((v100 / (pow(v103, n) * pow(v103, 0.0)) - 1.0) / v101)
+            v42 = n / 2.0 + 0.5
+            v44 = v42 + 1.75
+            v48 = (v42 + 0.5) * (v42 + 1.5)
+            v61 = 1.0 / (v44 * v44)
+            v106 = v * v36 / (1.7724538509055159 * A * ((v42 * (v42 + 1.0) / v48 if v42 < 1.0 else 1.0 - (v42 + 0.75) / v48) * sqrt(v44) * (1.0 + v61 * (((((((0.01524698625788054 * v61 + 0.5334320651111477) * v61 + 2.250488865813539) * v61 + 2.8612106440066865) * v61 + 1.3794681629043655) * v61 + 0.2596058532893223) * v61 + 0.015624999999999823) / ((((((3.278794792785737 * v61 + 49.328555418276075) * v61 + 167.28648538571198) * v61 + 195.37226190335065) * v61 + 90.69722535867314) * v61 + 16.763212110504565) * v61 + 1.0)))))
+            v107 = n + 0.0
+            v109 = pow(v106, 1.0 / v107)
+            if v106 > 0.0 and v106 < inf:
+                value = v109 + v109 * ((v106 / (pow(v109, n) * pow(v109, 0.0)) - 1.0) / v107)
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 return None
-            value = v103
+            value = v109
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             return None
@@ -1276,9 +1317,283 @@ def retract_radius_maxwell(t, v, v_2, t_m, A, n, E, tau):
     return None
 
 
-def prepare_retract_radius_maxwell_t(A, n, v, v_2, t_m, E, tau):
-    v7 = v_2 / v
-    v18 = np.negative(tau)
+def prepare_retract_radius_maxwell_t(A, n, v, v_2, t_m, t_h, E, tau):
+    v8 = v_2 / v
+    v17 = t_h - t_m
+    v18 = v17 / tau
+    v19 = np.minimum(v18, (700.0))
+    v20 = np.exp(v19)
+    v24 = np.negative(tau)
+    v39 = n / (2.0)
+    v41 = v39 + (0.5)
+    v43 = v41 + (1.75)
+    v44 = v41 + (0.5)
+    v46 = v41 + (1.5)
+    v47 = v44 * v46
+    v48 = np.less(v41, (1.0))
+    v49 = v41 + (1.0)
+    v50 = v41 * v49
+    v51 = v50 / v47
+    v53 = v41 + (0.75)
+    v54 = v53 / v47
+    v55 = (1.0) - v54
+    v56 = v51 if v48 else v55
+    v57 = np.sqrt(v43)
+    v58 = v56 * v57
+    v59 = v43 * v43
+    v60 = (1.0) / v59
+    v62 = (0.01524698625788054) * v60
+    v64 = v62 + (0.5334320651111477)
+    v65 = v64 * v60
+    v67 = v65 + (2.250488865813539)
+    v68 = v67 * v60
+    v70 = v68 + (2.8612106440066865)
+    v71 = v70 * v60
+    v73 = v71 + (1.3794681629043655)
+    v74 = v73 * v60
+    v76 = v74 + (0.2596058532893223)
+    v77 = v76 * v60
+    v79 = v77 + (0.015624999999999823)
+    v81 = (3.278794792785737) * v60
+    v83 = v81 + (49.328555418276075)
+    v84 = v83 * v60
+    v86 = v84 + (167.28648538571198)
+    v87 = v86 * v60
+    v89 = v87 + (195.37226190335065)
+    v90 = v89 * v60
+    v92 = v90 + (90.69722535867314)
+    v93 = v92 * v60
+    v95 = v93 + (16.763212110504565)
+    v96 = v95 * v60
+    v97 = v96 + (1.0)
+    v98 = v79 / v97
+    v99 = v60 * v98
+    v100 = (1.0) + v99
+    v101 = v58 * v100
+    v103 = (1.7724538509055159) * A
+    v104 = v103 * v101
+    v106 = n + (0.0)
+    v107 = (1.0) / v106
+    return (v, t_m, t_h, n, tau, v8, v20, v24, v104, v106, v107)
+
+
+def block_retract_radius_maxwell_t(out, t, v, t_m, t_h, n, tau, v8, v20, v24, v104, v106, v107, t0, t1, t2, t3, t4, m0, m1, m2, f0, f1, f2):
+    size = out.size
+    np.greater(t, t_m, m0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    some35 = np.count_nonzero(m0)
+    if some35:
+        np.subtract(t, t_h, t0)
+        np.maximum(t0, f0, out=t0)
+        np.divide(t0, tau, t0)
+        np.minimum(t0, f1, out=t0)
+        np.expm1(t0, t0)
+        np.multiply(v8, t0, t0)
+        np.multiply(t0, v20, t0)
+        np.less(t0, C1, m1)
+        some31 = np.count_nonzero(m1)
+        if some31:
+            np.minimum(t0, f2, out=t1)
+            np.negative(t1, t1)
+            np.log1p(t1, t1)
+            np.multiply(v24, t1, t1)
+        if some31 != size:
+            np.copyto(t1, C2, where=~m1)
+        np.subtract(t_m, t1, t1)
+        np.maximum(t1, f0, out=t0)
+    if some35 != size:
+        np.copyto(t0, t, where=~m0)
+    np.less_equal(t0, C0, m0)
+    some121 = np.count_nonzero(m0)
+    if some121:
+        np.copyto(out, C0)
+    if some121 != size:
+        other121 = t1 if some121 else out
+        np.multiply(v, t0, t2)
+        np.divide(t2, v104, t2)
+        np.power(t2, v107, t3)
+        np.greater(t2, C0, m1)
+        np.less(t2, C2, m2)
+        np.bitwise_and(m1, m2, m2)
+        some120 = np.count_nonzero(m2)
+        if some120:
+            np.power(t3, n, other121)
+            np.power(t3, C0, t4)
+            np.multiply(other121, t4, t4)
+            np.divide(t2, t4, t4)
+            np.subtract(t4, C1, t4)
+            np.divide(t4, v106, t4)
+            np.multiply(t3, t4, t4)
+            np.add(t3, t4, other121)
+        if some120 != size:
+            np.copyto(other121, t3, where=~m2)
+        if some121:
+            np.copyto(out, other121, where=~m0)
+
+
+def prepare_retract_radius_maxwell_all():
+    return ()
+
+
+def block_retract_radius_maxwell_all(out, t, A, n, v, v_2, t_m, t_h, E, tau, t0, t1, t2, t3, t4, t5, t6, t7, m0, m1, m2, f0, f1, f2):
+    size = out.size
+    np.greater(t, t_m, m0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    some35 = np.count_nonzero(m0)
+    if some35:
+        np.divide(v_2, v, t0)
+        np.subtract(t, t_h, t1)
+        np.maximum(t1, f0, out=t1)
+        np.divide(t1, tau, t1)
+        np.minimum(t1, f1, out=t1)
+        np.expm1(t1, t1)
+        np.multiply(t0, t1, t1)
+        np.subtract(t_h, t_m, t0)
+        np.divide(t0, tau, t0)
+        np.minimum(t0, f1, out=t0)
+        np.exp(t0, t0)
+        np.multiply(t1, t0, t0)
+        np.less(t0, C1, m1)
+        some31 = np.count_nonzero(m1)
+        if some31:
+            np.negative(tau, t1)
+            np.minimum(t0, f2, out=t2)
+            np.negative(t2, t2)
+            np.log1p(t2, t2)
+            np.multiply(t1, t2, t1)
+        if some31 != size:
+            np.copyto(t1, C2, where=~m1)
+        np.subtract(t_m, t1, t1)
+        np.maximum(t1, f0, out=t0)
+    if some35 != size:
+        np.copyto(t0, t, where=~m0)
+    np.less_equal(t0, C0, m0)
+    some121 = np.count_nonzero(m0)
+    if some121:
+        np.copyto(out, C0)
+    if some121 != size:
+        other121 = t1 if some121 else out
+        np.multiply(v, t0, t2)
+        np.multiply(n, C3, t3)
+        np.add(t3, C3, t3)
+        np.add(t3, C4, t4)
+        np.add(t3, C3, t5)
+        np.add(t3, C5, t6)
+        np.multiply(t5, t6, t6)
+        np.less(t3, C1, m1)
+        some56 = np.count_nonzero(m1)
+        if some56:
+            np.add(t3, C1, t5)
+            np.multiply(t3, t5, t5)
+            np.divide(t5, t6, t5)
+        if some56 != size:
+            other56 = t7 if some56 else t5
+            np.add(t3, C6, other56)
+            np.divide(other56, t6, other56)
+            np.subtract(C1, other56, other56)
+            if some56:
+                np.copyto(t5, other56, where=~m1)
+        np.sqrt(t4, t6)
+        np.multiply(t5, t6, t6)
+        np.multiply(t4, t4, t4)
+        np.divide(C1, t4, t4)
+        np.multiply(C7, t4, t5)
+        np.add(t5, C8, t5)
+        np.multiply(t5, t4, t5)
+        np.add(t5, C9, t5)
+        np.multiply(t5, t4, t5)
+        np.add(t5, C10, t5)
+        np.multiply(t5, t4, t5)
+        np.add(t5, C11, t5)
+        np.multiply(t5, t4, t5)
+        np.add(t5, C12, t5)
+        np.multiply(t5, t4, t5)
+        np.add(t5, C13, t5)
+        np.multiply(C14, t4, t3)
+        np.add(t3, C15, t3)
+        np.multiply(t3, t4, t3)
+        np.add(t3, C16, t3)
+        np.multiply(t3, t4, t3)
+        np.add(t3, C17, t3)
+        np.multiply(t3, t4, t3)
+        np.add(t3, C18, t3)
+        np.multiply(t3, t4, t3)
+        np.add(t3, C19, t3)
+        np.multiply(t3, t4, t3)
+        np.add(t3, C1, t3)
+        np.divide(t5, t3, t3)
+        np.multiply(t4, t3, t3)
+        np.add(C1, t3, t3)
+        np.multiply(t6, t3, t3)
+        np.multiply(C20, A, t6)
+        np.multiply(t6, t3, t3)
+        np.divide(t2, t3, t3)
+        np.add(n, C0, t2)
+        np.divide(C1, t2, t6)
+        np.power(t3, t6, t6)
+        np.greater(t3, C0, m1)
+        np.less(t3, C2, m2)
+        np.bitwise_and(m1, m2, m2)
+        some120 = np.count_nonzero(m2)
+        if some120:
+            np.power(t6, n, other121)
+            np.power(t6, C0, t4)
+            np.multiply(other121, t4, t4)
+            np.divide(t3, t4, t4)
+            np.subtract(t4, C1, t4)
+            np.divide(t4, t2, t4)
+            np.multiply(t6, t4, t4)
+            np.add(t6, t4, other121)
+        if some120 != size:
+            np.copyto(other121, t6, where=~m2)
+        if some121:
+            np.copyto(out, other121, where=~m0)
+
+
+def retract_radius_power_creep(t, v, v_2, t_m, t_h, A, n, E, alpha, t_0):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is A.__class__ is n.__class__ is E.__class__ is alpha.__class__ is t_0.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E > 1e-30) and (E < 1e+30) and (alpha > 1e-30) and (alpha < 1.0) and (t_0 > 1e-30) and (t_0 < 1e+30):
+        try:
+            if t > t_m:
+                v13 = t - t_m
+                v18 = 1.0 - alpha
+                v23 = log1p(v_2 / v * pow((t - t_h) / v13 if t > t_h else 0.0, v18)) / v18
+                v29 = t_m - (v13 if v13 > 0.0 or v13 != v13 else 0.0) * expm1(v23 if v23 < 700.0 or v23 != v23 else 700.0)
+                v31 = v29 if v29 > 0.0 or v29 != v29 else 0.0
+            else:
+                v31 = t
+            if v31 <= 0.0:
+                value = 0.0
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            v37 = n / 2.0 + 0.5
+            v39 = v37 + 1.75
+            v43 = (v37 + 0.5) * (v37 + 1.5)
+            v56 = 1.0 / (v39 * v39)
+            v101 = v * v31 / (1.7724538509055159 * A * ((v37 * (v37 + 1.0) / v43 if v37 < 1.0 else 1.0 - (v37 + 0.75) / v43) * sqrt(v39) * (1.0 + v56 * (((((((0.01524698625788054 * v56 + 0.5334320651111477) * v56 + 2.250488865813539) * v56 + 2.8612106440066865) * v56 + 1.3794681629043655) * v56 + 0.2596058532893223) * v56 + 0.015624999999999823) / ((((((3.278794792785737 * v56 + 49.328555418276075) * v56 + 167.28648538571198) * v56 + 195.37226190335065) * v56 + 90.69722535867314) * v56 + 16.763212110504565) * v56 + 1.0)))))
+            v102 = n + 0.0
+            v104 = pow(v101, 1.0 / v102)
+            if v101 > 0.0 and v101 < inf:
+                value = v104 + v104 * ((v101 / (pow(v104, n) * pow(v104, 0.0)) - 1.0) / v102)
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            value = v104
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_retract_radius_power_creep_t(A, n, v, v_2, t_m, t_h, E, alpha, t_0):
+    v8 = v_2 / v
+    v16 = (1.0) - alpha
     v33 = n / (2.0)
     v35 = v33 + (0.5)
     v37 = v35 + (1.75)
@@ -1329,10 +1644,10 @@ def prepare_retract_radius_maxwell_t(A, n, v, v_2, t_m, E, tau):
     v98 = v97 * v95
     v100 = n + (0.0)
     v101 = (1.0) / v100
-    return (v, t_m, n, tau, v7, v18, v98, v100, v101)
+    return (v, t_m, t_h, n, v8, v16, v98, v100, v101)
 
 
-def block_retract_radius_maxwell_t(out, t, v, t_m, n, tau, v7, v18, v98, v100, v101, t0, t1, t2, t3, t4, m0, m1, m2, f0, f1, f2):
+def block_retract_radius_power_creep_t(out, t, v, t_m, t_h, n, v8, v16, v98, v100, v101, t0, t1, t2, t3, t4, m0, m1, m2, f0, f1):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
@@ -1340,363 +1655,118 @@ def block_retract_radius_maxwell_t(out, t, v, t_m, n, tau, v7, v18, v98, v100, v
         raise FloatingPointError
     some29 = np.count_nonzero(m0)
     if some29:
+        np.greater(t, t_h, m1)
         np.subtract(t, t_m, t0)
+        some14 = np.count_nonzero(m1)
+        if some14:
+            np.subtract(t, t_h, t1)
+            np.divide(t1, t0, t1)
+        if some14 != size:
+            np.copyto(t1, C0, where=~m1)
         np.maximum(t0, f0, out=t0)
-        np.divide(t0, tau, t0)
-        np.minimum(t0, f1, out=t0)
-        np.expm1(t0, t0)
-        np.multiply(v7, t0, t0)
-        np.less(t0, C0, m1)
-        some25 = np.count_nonzero(m1)
-        if some25:
-            np.minimum(t0, f2, out=t1)
-            np.negative(t1, t1)
-            np.log1p(t1, t1)
-            np.multiply(v18, t1, t1)
-        if some25 != size:
-            np.copyto(t1, C1, where=~m1)
+        np.power(t1, v16, t1)
+        np.multiply(v8, t1, t1)
+        np.log1p(t1, t1)
+        np.divide(t1, v16, t1)
+        np.minimum(t1, f1, out=t1)
+        np.expm1(t1, t1)
+        np.multiply(t0, t1, t1)
         np.subtract(t_m, t1, t1)
         np.maximum(t1, f0, out=t0)
     if some29 != size:
         np.copyto(t0, t, where=~m0)
-    np.less_equal(t0, C2, m0)
-    some115 = np.count_nonzero(m0)
-    if some115:
-        np.copyto(out, C2)
-    if some115 != size:
-        other115 = t1 if some115 else out
+    np.less_equal(t0, C0, m0)
+    some116 = np.count_nonzero(m0)
+    if some116:
+        np.copyto(out, C0)
+    if some116 != size:
+        other116 = t1 if some116 else out
         np.multiply(v, t0, t2)
         np.divide(t2, v98, t2)
         np.power(t2, v101, t3)
-        np.greater(t2, C2, m1)
-        np.less(t2, C1, m2)
+        np.greater(t2, C0, m1)
+        np.less(t2, C2, m2)
         np.bitwise_and(m1, m2, m2)
-        some114 = np.count_nonzero(m2)
-        if some114:
-            np.power(t3, n, other115)
-            np.power(t3, C2, t4)
-            np.multiply(other115, t4, t4)
+        some115 = np.count_nonzero(m2)
+        if some115:
+            np.power(t3, n, other116)
+            np.power(t3, C0, t4)
+            np.multiply(other116, t4, t4)
             np.divide(t2, t4, t4)
-            np.subtract(t4, C0, t4)
+            np.subtract(t4, C1, t4)
             np.divide(t4, v100, t4)
             np.multiply(t3, t4, t4)
-            np.add(t3, t4, other115)
-        if some114 != size:
-            np.copyto(other115, t3, where=~m2)
-        if some115:
-            np.copyto(out, other115, where=~m0)
-
-
-def prepare_retract_radius_maxwell_all():
-    return ()
-
-
-def block_retract_radius_maxwell_all(out, t, A, n, v, v_2, t_m, E, tau, t0, t1, t2, t3, t4, t5, t6, t7, m0, m1, m2, f0, f1, f2):
-    size = out.size
-    np.greater(t, t_m, m0)
-    largest_t = largest(t)
-    if largest_t == np.inf:
-        raise FloatingPointError
-    some29 = np.count_nonzero(m0)
-    if some29:
-        np.divide(v_2, v, t0)
-        np.subtract(t, t_m, t1)
-        np.maximum(t1, f0, out=t1)
-        np.divide(t1, tau, t1)
-        np.minimum(t1, f1, out=t1)
-        np.expm1(t1, t1)
-        np.multiply(t0, t1, t1)
-        np.less(t1, C0, m1)
-        some25 = np.count_nonzero(m1)
-        if some25:
-            np.negative(tau, t0)
-            np.minimum(t1, f2, out=t2)
-            np.negative(t2, t2)
-            np.log1p(t2, t2)
-            np.multiply(t0, t2, t0)
-        if some25 != size:
-            np.copyto(t0, C1, where=~m1)
-        np.subtract(t_m, t0, t0)
-        np.maximum(t0, f0, out=t0)
-    if some29 != size:
-        np.copyto(t0, t, where=~m0)
-    np.less_equal(t0, C2, m0)
-    some115 = np.count_nonzero(m0)
-    if some115:
-        np.copyto(out, C2)
-    if some115 != size:
-        other115 = t1 if some115 else out
-        np.multiply(v, t0, t2)
-        np.multiply(n, C3, t3)
-        np.add(t3, C3, t3)
-        np.add(t3, C4, t4)
-        np.add(t3, C3, t5)
-        np.add(t3, C5, t6)
-        np.multiply(t5, t6, t6)
-        np.less(t3, C0, m1)
-        some50 = np.count_nonzero(m1)
-        if some50:
-            np.add(t3, C0, t5)
-            np.multiply(t3, t5, t5)
-            np.divide(t5, t6, t5)
-        if some50 != size:
-            other50 = t7 if some50 else t5
-            np.add(t3, C6, other50)
-            np.divide(other50, t6, other50)
-            np.subtract(C0, other50, other50)
-            if some50:
-                np.copyto(t5, other50, where=~m1)
-        np.sqrt(t4, t6)
-        np.multiply(t5, t6, t6)
-        np.multiply(t4, t4, t4)
-        np.divide(C0, t4, t4)
-        np.multiply(C7, t4, t5)
-        np.add(t5, C8, t5)
-        np.multiply(t5, t4, t5)
-        np.add(t5, C9, t5)
-        np.multiply(t5, t4, t5)
-        np.add(t5, C10, t5)
-        np.multiply(t5, t4, t5)
-        np.add(t5, C11, t5)
-        np.multiply(t5, t4, t5)
-        np.add(t5, C12, t5)
-        np.multiply(t5, t4, t5)
-        np.add(t5, C13, t5)
-        np.multiply(C14, t4, t3)
-        np.add(t3, C15, t3)
-        np.multiply(t3, t4, t3)
-        np.add(t3, C16, t3)
-        np.multiply(t3, t4, t3)
-        np.add(t3, C17, t3)
-        np.multiply(t3, t4, t3)
-        np.add(t3, C18, t3)
-        np.multiply(t3, t4, t3)
-        np.add(t3, C19, t3)
-        np.multiply(t3, t4, t3)
-        np.add(t3, C0, t3)
-        np.divide(t5, t3, t3)
-        np.multiply(t4, t3, t3)
-        np.add(C0, t3, t3)
-        np.multiply(t6, t3, t3)
-        np.multiply(C20, A, t6)
-        np.multiply(t6, t3, t3)
-        np.divide(t2, t3, t3)
-        np.add(n, C2, t2)
-        np.divide(C0, t2, t6)
-        np.power(t3, t6, t6)
-        np.greater(t3, C2, m1)
-        np.less(t3, C1, m2)
-        np.bitwise_and(m1, m2, m2)
-        some114 = np.count_nonzero(m2)
-        if some114:
-            np.power(t6, n, other115)
-            np.power(t6, C2, t4)
-            np.multiply(other115, t4, t4)
-            np.divide(t3, t4, t4)
-            np.subtract(t4, C0, t4)
-            np.divide(t4, t2, t4)
-            np.multiply(t6, t4, t4)
-            np.add(t6, t4, other115)
-        if some114 != size:
-            np.copyto(other115, t6, where=~m2)
-        if some115:
-            np.copyto(out, other115, where=~m0)
-
-
-def retract_radius_power_creep(t, v, v_2, t_m, A, n, E, alpha, t_0):
-    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is A.__class__ is n.__class__ is E.__class__ is alpha.__class__ is t_0.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E > 1e-30) and (E < 1e+30) and (alpha > 1e-30) and (alpha < 1.0) and (t_0 > 1e-30) and (t_0 < 1e+30):
-        try:
-            if t > t_m:
-                v10 = t - t_m
-                v16 = log1p(v_2 / v) / (1.0 - alpha)
-                v22 = t_m - (v10 if v10 > 0.0 or v10 != v10 else 0.0) * expm1(v16 if v16 < 700.0 or v16 != v16 else 700.0)
-                v24 = v22 if v22 > 0.0 or v22 != v22 else 0.0
-            else:
-                v24 = t
-            if v24 <= 0.0:
-                value = 0.0
-                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
-                    return value
-                return None
-            v30 = n / 2.0 + 0.5
-            v32 = v30 + 1.75
-            v36 = (v30 + 0.5) * (v30 + 1.5)
-            v49 = 1.0 / (v32 * v32)
-            v94 = v * v24 / (1.7724538509055159 * A * ((v30 * (v30 + 1.0) / v36 if v30 < 1.0 else 1.0 - (v30 + 0.75) / v36) * sqrt(v32) * (1.0 + v49 * (((((((0.01524698625788054 * v49 + 0.5334320651111477) * v49 + 2.250488865813539) * v49 + 2.8612106440066865) * v49 + 1.3794681629043655) * v49 + 0.2596058532893223) * v49 + 0.015624999999999823) / ((((((3.278794792785737 * v49 + 49.328555418276075) * v49 + 167.28648538571198) * v49 + 195.37226190335065) * v49 + 90.69722535867314) * v49 + 16.763212110504565) * v49 + 1.0)))))
-            v95 = n + 0.0
-            v97 = pow(v94, 1.0 / v95)
-            if v94 > 0.0 and v94 < inf:
-                value = v97 + v97 * ((v94 / (pow(v97, n) * pow(v97, 0.0)) - 1.0) / v95)
-                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
-                    return value
-                return None
-            value = v97
-            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
-                return value
-            return None
-        except (ArithmeticError, ValueError):
-            pass
-    return None
-
-
-def prepare_retract_radius_power_creep_t(A, n, v, v_2, t_m, E, alpha, t_0):
-    v7 = v_2 / v
-    v11 = np.log1p(v7)
-    v13 = (1.0) - alpha
-    v14 = v11 / v13
-    v16 = np.minimum(v14, (700.0))
-    v17 = np.expm1(v16)
-    v26 = n / (2.0)
-    v28 = v26 + (0.5)
-    v30 = v28 + (1.75)
-    v31 = v28 + (0.5)
-    v33 = v28 + (1.5)
-    v34 = v31 * v33
-    v35 = np.less(v28, (1.0))
-    v36 = v28 + (1.0)
-    v37 = v28 * v36
-    v38 = v37 / v34
-    v40 = v28 + (0.75)
-    v41 = v40 / v34
-    v42 = (1.0) - v41
-    v43 = v38 if v35 else v42
-    v44 = np.sqrt(v30)
-    v45 = v43 * v44
-    v46 = v30 * v30
-    v47 = (1.0) / v46
-    v49 = (0.01524698625788054) * v47
-    v51 = v49 + (0.5334320651111477)
-    v52 = v51 * v47
-    v54 = v52 + (2.250488865813539)
-    v55 = v54 * v47
-    v57 = v55 + (2.8612106440066865)
-    v58 = v57 * v47
-    v60 = v58 + (1.3794681629043655)
-    v61 = v60 * v47
-    v63 = v61 + (0.2596058532893223)
-    v64 = v63 * v47
-    v66 = v64 + (0.015624999999999823)
-    v68 = (3.278794792785737) * v47
-    v70 = v68 + (49.328555418276075)
-    v71 = v70 * v47
-    v73 = v71 + (167.28648538571198)
-    v74 = v73 * v47
-    v76 = v74 + (195.37226190335065)
-    v77 = v76 * v47
-    v79 = v77 + (90.69722535867314)
-    v80 = v79 * v47
-    v82 = v80 + (16.763212110504565)
-    v83 = v82 * v47
-    v84 = v83 + (1.0)
-    v85 = v66 / v84
-    v86 = v47 * v85
-    v87 = (1.0) + v86
-    v88 = v45 * v87
-    v90 = (1.7724538509055159) * A
-    v91 = v90 * v88
-    v93 = n + (0.0)
-    v94 = (1.0) / v93
-    return (v, t_m, n, v17, v91, v93, v94)
-
-
-def block_retract_radius_power_creep_t(out, t, v, t_m, n, v17, v91, v93, v94, t0, t1, t2, t3, t4, m0, m1, m2, f0):
-    size = out.size
-    np.greater(t, t_m, m0)
-    largest_t = largest(t)
-    if largest_t == np.inf:
-        raise FloatingPointError
-    some22 = np.count_nonzero(m0)
-    if some22:
-        np.subtract(t, t_m, t0)
-        np.maximum(t0, f0, out=t0)
-        np.multiply(t0, v17, t0)
-        np.subtract(t_m, t0, t0)
-        np.maximum(t0, f0, out=t0)
-    if some22 != size:
-        np.copyto(t0, t, where=~m0)
-    np.less_equal(t0, C2, m0)
-    some109 = np.count_nonzero(m0)
-    if some109:
-        np.copyto(out, C2)
-    if some109 != size:
-        other109 = t1 if some109 else out
-        np.multiply(v, t0, t2)
-        np.divide(t2, v91, t2)
-        np.power(t2, v94, t3)
-        np.greater(t2, C2, m1)
-        np.less(t2, C1, m2)
-        np.bitwise_and(m1, m2, m2)
-        some108 = np.count_nonzero(m2)
-        if some108:
-            np.power(t3, n, other109)
-            np.power(t3, C2, t4)
-            np.multiply(other109, t4, t4)
-            np.divide(t2, t4, t4)
-            np.subtract(t4, C0, t4)
-            np.divide(t4, v93, t4)
-            np.multiply(t3, t4, t4)
-            np.add(t3, t4, other109)
-        if some108 != size:
-            np.copyto(other109, t3, where=~m2)
-        if some109:
-            np.copyto(out, other109, where=~m0)
+            np.add(t3, t4, other116)
+        if some115 != size:
+            np.copyto(other116, t3, where=~m2)
+        if some116:
+            np.copyto(out, other116, where=~m0)
 
 
 def prepare_retract_radius_power_creep_all():
     return ()
 
 
-def block_retract_radius_power_creep_all(out, t, A, n, v, v_2, t_m, E, alpha, t_0, t0, t1, t2, t3, t4, t5, t6, t7, m0, m1, m2, f0, f1):
+def block_retract_radius_power_creep_all(out, t, A, n, v, v_2, t_m, t_h, E, alpha, t_0, t0, t1, t2, t3, t4, t5, t6, t7, m0, m1, m2, f0, f1):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some22 = np.count_nonzero(m0)
-    if some22:
+    some29 = np.count_nonzero(m0)
+    if some29:
         np.divide(v_2, v, t0)
+        np.greater(t, t_h, m1)
         np.subtract(t, t_m, t1)
+        some14 = np.count_nonzero(m1)
+        if some14:
+            np.subtract(t, t_h, t2)
+            np.divide(t2, t1, t2)
+        if some14 != size:
+            np.copyto(t2, C0, where=~m1)
+        np.subtract(C1, alpha, t3)
         np.maximum(t1, f0, out=t1)
-        np.log1p(t0, t0)
-        np.subtract(C0, alpha, t2)
-        np.divide(t0, t2, t2)
-        np.minimum(t2, f1, out=t2)
-        np.expm1(t2, t2)
-        np.multiply(t1, t2, t2)
-        np.subtract(t_m, t2, t2)
-        np.maximum(t2, f0, out=t0)
-    if some22 != size:
+        np.power(t2, t3, t2)
+        np.multiply(t0, t2, t2)
+        np.log1p(t2, t2)
+        np.divide(t2, t3, t3)
+        np.minimum(t3, f1, out=t3)
+        np.expm1(t3, t3)
+        np.multiply(t1, t3, t3)
+        np.subtract(t_m, t3, t3)
+        np.maximum(t3, f0, out=t0)
+    if some29 != size:
         np.copyto(t0, t, where=~m0)
-    np.less_equal(t0, C2, m0)
-    some109 = np.count_nonzero(m0)
-    if some109:
-        np.copyto(out, C2)
-    if some109 != size:
-        other109 = t2 if some109 else out
+    np.less_equal(t0, C0, m0)
+    some116 = np.count_nonzero(m0)
+    if some116:
+        np.copyto(out, C0)
+    if some116 != size:
+        other116 = t3 if some116 else out
         np.multiply(v, t0, t1)
-        np.multiply(n, C3, t3)
-        np.add(t3, C3, t3)
-        np.add(t3, C4, t4)
-        np.add(t3, C3, t5)
-        np.add(t3, C5, t6)
+        np.multiply(n, C3, t2)
+        np.add(t2, C3, t2)
+        np.add(t2, C4, t4)
+        np.add(t2, C3, t5)
+        np.add(t2, C5, t6)
         np.multiply(t5, t6, t6)
-        np.less(t3, C0, m1)
-        some43 = np.count_nonzero(m1)
-        if some43:
-            np.add(t3, C0, t5)
-            np.multiply(t3, t5, t5)
+        np.less(t2, C1, m1)
+        some50 = np.count_nonzero(m1)
+        if some50:
+            np.add(t2, C1, t5)
+            np.multiply(t2, t5, t5)
             np.divide(t5, t6, t5)
-        if some43 != size:
-            other43 = t7 if some43 else t5
-            np.add(t3, C6, other43)
-            np.divide(other43, t6, other43)
-            np.subtract(C0, other43, other43)
-            if some43:
-                np.copyto(t5, other43, where=~m1)
+        if some50 != size:
+            other50 = t7 if some50 else t5
+            np.add(t2, C6, other50)
+            np.divide(other50, t6, other50)
+            np.subtract(C1, other50, other50)
+            if some50:
+                np.copyto(t5, other50, where=~m1)
         np.sqrt(t4, t6)
         np.multiply(t5, t6, t6)
         np.multiply(t4, t4, t4)
-        np.divide(C0, t4, t4)
+        np.divide(C1, t4, t4)
         np.multiply(C7, t4, t5)
         np.add(t5, C8, t5)
         np.multiply(t5, t4, t5)
@@ -1709,54 +1779,54 @@ def block_retract_radius_power_creep_all(out, t, A, n, v, v_2, t_m, E, alpha, t_
         np.add(t5, C12, t5)
         np.multiply(t5, t4, t5)
         np.add(t5, C13, t5)
-        np.multiply(C14, t4, t3)
-        np.add(t3, C15, t3)
-        np.multiply(t3, t4, t3)
-        np.add(t3, C16, t3)
-        np.multiply(t3, t4, t3)
-        np.add(t3, C17, t3)
-        np.multiply(t3, t4, t3)
-        np.add(t3, C18, t3)
-        np.multiply(t3, t4, t3)
-        np.add(t3, C19, t3)
-        np.multiply(t3, t4, t3)
-        np.add(t3, C0, t3)
-        np.divide(t5, t3, t3)
-        np.multiply(t4, t3, t3)
-        np.add(C0, t3, t3)
-        np.multiply(t6, t3, t3)
+        np.multiply(C14, t4, t2)
+        np.add(t2, C15, t2)
+        np.multiply(t2, t4, t2)
+        np.add(t2, C16, t2)
+        np.multiply(t2, t4, t2)
+        np.add(t2, C17, t2)
+        np.multiply(t2, t4, t2)
+        np.add(t2, C18, t2)
+        np.multiply(t2, t4, t2)
+        np.add(t2, C19, t2)
+        np.multiply(t2, t4, t2)
+        np.add(t2, C1, t2)
+        np.divide(t5, t2, t2)
+        np.multiply(t4, t2, t2)
+        np.add(C1, t2, t2)
+        np.multiply(t6, t2, t2)
         np.multiply(C20, A, t6)
-        np.multiply(t6, t3, t3)
-        np.divide(t1, t3, t3)
-        np.add(n, C2, t1)
-        np.divide(C0, t1, t6)
-        np.power(t3, t6, t6)
-        np.greater(t3, C2, m1)
-        np.less(t3, C1, m2)
+        np.multiply(t6, t2, t2)
+        np.divide(t1, t2, t2)
+        np.add(n, C0, t1)
+        np.divide(C1, t1, t6)
+        np.power(t2, t6, t6)
+        np.greater(t2, C0, m1)
+        np.less(t2, C2, m2)
         np.bitwise_and(m1, m2, m2)
-        some108 = np.count_nonzero(m2)
-        if some108:
-            np.power(t6, n, other109)
-            np.power(t6, C2, t4)
-            np.multiply(other109, t4, t4)
-            np.divide(t3, t4, t4)
-            np.subtract(t4, C0, t4)
+        some115 = np.count_nonzero(m2)
+        if some115:
+            np.power(t6, n, other116)
+            np.power(t6, C0, t4)
+            np.multiply(other116, t4, t4)
+            np.divide(t2, t4, t4)
+            np.subtract(t4, C1, t4)
             np.divide(t4, t1, t4)
             np.multiply(t6, t4, t4)
-            np.add(t6, t4, other109)
-        if some108 != size:
-            np.copyto(other109, t6, where=~m2)
-        if some109:
-            np.copyto(out, other109, where=~m0)
+            np.add(t6, t4, other116)
+        if some115 != size:
+            np.copyto(other116, t6, where=~m2)
+        if some116:
+            np.copyto(out, other116, where=~m0)
 
 
-def retract_radius_standard_solid(t, v, v_2, t_m, A, n, E_inf, E_1, tau):
-    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is A.__class__ is n.__class__ is E_inf.__class__ is E_1.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E_inf > 1e-30) and (E_inf < 1e+30) and (E_1 > 1e-30) and (E_1 < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+def retract_radius_standard_solid(t, v, v_2, t_m, t_h, A, n, E_inf, E_1, tau):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is A.__class__ is n.__class__ is E_inf.__class__ is E_1.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E_inf > 1e-30) and (E_inf < 1e+30) and (E_1 > 1e-30) and (E_1 < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
         try:
-            value = bodies._retract_radius_standard_solid(t, v, v_2, t_m, A, n, E_inf, E_1, tau)
+            value = bodies._retract_radius_standard_solid(t, v, v_2, t_m, t_h, A, n, E_inf, E_1, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, A, n, E_inf, E_1, tau):
+            if value != value and ordinary(t, v, v_2, t_m, t_h, A, n, E_inf, E_1, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -1860,7 +1930,7 @@ def prepare_step_force_kelvin_voigt_t(d, A, n, E, eta):
 
 def block_step_force_kelvin_voigt_t(out, t, E, v100, m0):
     size = out.size
-    np.greater(t, C2, m0)
+    np.greater(t, C0, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
@@ -1868,7 +1938,7 @@ def block_step_force_kelvin_voigt_t(out, t, E, v100, m0):
     if some8:
         np.copyto(out, E)
     if some8 != size:
-        np.copyto(out, C1, where=~m0)
+        np.copyto(out, C2, where=~m0)
     np.multiply(out, v100, out)
 
 
@@ -1878,7 +1948,7 @@ def prepare_step_force_kelvin_voigt_all():
 
 def block_step_force_kelvin_voigt_all(out, t, d, A, n, E, eta, t0, t1, t2, t3, t4, t5, m0, m1):
     size = out.size
-    np.greater(t, C2, m0)
+    np.greater(t, C0, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
@@ -1886,30 +1956,30 @@ def block_step_force_kelvin_voigt_all(out, t, d, A, n, E, eta, t0, t1, t2, t3, t
     if some8:
         np.copyto(out, E)
     if some8 != size:
-        np.copyto(out, C1, where=~m0)
+        np.copyto(out, C2, where=~m0)
     np.multiply(n, C3, t0)
     np.add(t0, C3, t0)
     np.add(t0, C4, t1)
     np.add(t0, C3, t2)
     np.add(t0, C5, t3)
     np.multiply(t2, t3, t3)
-    np.less(t0, C0, m0)
+    np.less(t0, C1, m0)
     some28 = np.count_nonzero(m0)
     if some28:
-        np.add(t0, C0, t2)
+        np.add(t0, C1, t2)
         np.multiply(t0, t2, t2)
         np.divide(t2, t3, t2)
     if some28 != size:
         other28 = t4 if some28 else t2
         np.add(t0, C6, other28)
         np.divide(other28, t3, other28)
-        np.subtract(C0, other28, other28)
+        np.subtract(C1, other28, other28)
         if some28:
             np.copyto(t2, other28, where=~m0)
     np.sqrt(t1, t3)
     np.multiply(t2, t3, t3)
     np.multiply(t1, t1, t1)
-    np.divide(C0, t1, t1)
+    np.divide(C1, t1, t1)
     np.multiply(C7, t1, t2)
     np.add(t2, C8, t2)
     np.multiply(t2, t1, t2)
@@ -1933,33 +2003,33 @@ def block_step_force_kelvin_voigt_all(out, t, d, A, n, E, eta, t0, t1, t2, t3, t
     np.multiply(t0, t1, t0)
     np.add(t0, C19, t0)
     np.multiply(t0, t1, t0)
-    np.add(t0, C0, t0)
+    np.add(t0, C1, t0)
     np.divide(t2, t0, t0)
     np.multiply(t1, t0, t0)
-    np.add(C0, t0, t0)
+    np.add(C1, t0, t0)
     np.multiply(t3, t0, t0)
     np.multiply(C20, A, t3)
     np.multiply(t3, t0, t3)
     np.divide(d, t3, t3)
     np.multiply(C21, n, t1)
     np.multiply(t1, A, t1)
-    np.add(n, C0, t2)
+    np.add(n, C1, t2)
     np.divide(t1, t2, t2)
     np.multiply(t2, t0, t0)
     np.multiply(t0, t3, t0)
-    np.add(n, C2, t2)
-    np.divide(C0, t2, t1)
+    np.add(n, C0, t2)
+    np.divide(C1, t2, t1)
     np.power(t3, t1, t1)
-    np.greater(t3, C2, m0)
-    np.less(t3, C1, m1)
+    np.greater(t3, C0, m0)
+    np.less(t3, C2, m1)
     np.bitwise_and(m0, m1, m1)
     some99 = np.count_nonzero(m1)
     if some99:
         np.power(t1, n, t4)
-        np.power(t1, C2, t5)
+        np.power(t1, C0, t5)
         np.multiply(t4, t5, t5)
         np.divide(t3, t5, t5)
-        np.subtract(t5, C0, t5)
+        np.subtract(t5, C1, t5)
         np.divide(t5, t2, t5)
         np.multiply(t1, t5, t5)
         np.add(t1, t5, t4)
@@ -2094,23 +2164,23 @@ def block_step_force_maxwell_all(out, t, d, A, n, E, tau, t0, t1, t2, t3, t4, t5
     np.add(t0, C3, t2)
     np.add(t0, C5, t3)
     np.multiply(t2, t3, t3)
-    np.less(t0, C0, m0)
+    np.less(t0, C1, m0)
     some29 = np.count_nonzero(m0)
     if some29:
-        np.add(t0, C0, t2)
+        np.add(t0, C1, t2)
         np.multiply(t0, t2, t2)
         np.divide(t2, t3, t2)
     if some29 != size:
         other29 = t4 if some29 else t2
         np.add(t0, C6, other29)
         np.divide(other29, t3, other29)
-        np.subtract(C0, other29, other29)
+        np.subtract(C1, other29, other29)
         if some29:
             np.copyto(t2, other29, where=~m0)
     np.sqrt(t1, t3)
     np.multiply(t2, t3, t3)
     np.multiply(t1, t1, t1)
-    np.divide(C0, t1, t1)
+    np.divide(C1, t1, t1)
     np.multiply(C7, t1, t2)
     np.add(t2, C8, t2)
     np.multiply(t2, t1, t2)
@@ -2134,33 +2204,33 @@ def block_step_force_maxwell_all(out, t, d, A, n, E, tau, t0, t1, t2, t3, t4, t5
     np.multiply(t0, t1, t0)
     np.add(t0, C19, t0)
     np.multiply(t0, t1, t0)
-    np.add(t0, C0, t0)
+    np.add(t0, C1, t0)
     np.divide(t2, t0, t0)
     np.multiply(t1, t0, t0)
-    np.add(C0, t0, t0)
+    np.add(C1, t0, t0)
     np.multiply(t3, t0, t0)
     np.multiply(C20, A, t3)
     np.multiply(t3, t0, t3)
     np.divide(d, t3, t3)
     np.multiply(C21, n, t1)
     np.multiply(t1, A, t1)
-    np.add(n, C0, t2)
+    np.add(n, C1, t2)
     np.divide(t1, t2, t2)
     np.multiply(t2, t0, t0)
     np.multiply(t0, t3, t0)
-    np.add(n, C2, t2)
-    np.divide(C0, t2, t1)
+    np.add(n, C0, t2)
+    np.divide(C1, t2, t1)
     np.power(t3, t1, t1)
-    np.greater(t3, C2, m0)
-    np.less(t3, C1, m1)
+    np.greater(t3, C0, m0)
+    np.less(t3, C2, m1)
     np.bitwise_and(m0, m1, m1)
     some102 = np.count_nonzero(m1)
     if some102:
         np.power(t1, n, t4)
-        np.power(t1, C2, t5)
+        np.power(t1, C0, t5)
         np.multiply(t4, t5, t5)
         np.divide(t3, t5, t5)
-        np.subtract(t5, C0, t5)
+        np.subtract(t5, C1, t5)
         np.divide(t5, t2, t5)
         np.multiply(t1, t5, t5)
         np.add(t1, t5, t4)
@@ -2302,23 +2372,23 @@ def block_step_force_power_creep_all(out, t, d, A, n, E, alpha, t_0, t0, t1, t2,
     np.add(t1, C3, t2)
     np.add(t1, C5, t3)
     np.multiply(t2, t3, t3)
-    np.less(t1, C0, m0)
+    np.less(t1, C1, m0)
     some34 = np.count_nonzero(m0)
     if some34:
-        np.add(t1, C0, t2)
+        np.add(t1, C1, t2)
         np.multiply(t1, t2, t2)
         np.divide(t2, t3, t2)
     if some34 != size:
         other34 = t4 if some34 else t2
         np.add(t1, C6, other34)
         np.divide(other34, t3, other34)
-        np.subtract(C0, other34, other34)
+        np.subtract(C1, other34, other34)
         if some34:
             np.copyto(t2, other34, where=~m0)
     np.sqrt(out, t3)
     np.multiply(t2, t3, t3)
     np.multiply(out, out, out)
-    np.divide(C0, out, out)
+    np.divide(C1, out, out)
     np.multiply(C7, out, t2)
     np.add(t2, C8, t2)
     np.multiply(t2, out, t2)
@@ -2342,33 +2412,33 @@ def block_step_force_power_creep_all(out, t, d, A, n, E, alpha, t_0, t0, t1, t2,
     np.multiply(t1, out, t1)
     np.add(t1, C19, t1)
     np.multiply(t1, out, t1)
-    np.add(t1, C0, t1)
+    np.add(t1, C1, t1)
     np.divide(t2, t1, t1)
     np.multiply(out, t1, t1)
-    np.add(C0, t1, t1)
+    np.add(C1, t1, t1)
     np.multiply(t3, t1, t1)
     np.multiply(C20, A, t3)
     np.multiply(t3, t1, t3)
     np.divide(d, t3, t3)
     np.multiply(C21, n, out)
     np.multiply(out, A, out)
-    np.add(n, C0, t2)
+    np.add(n, C1, t2)
     np.divide(out, t2, t2)
     np.multiply(t2, t1, t1)
     np.multiply(t1, t3, t1)
-    np.add(n, C2, t2)
-    np.divide(C0, t2, out)
+    np.add(n, C0, t2)
+    np.divide(C1, t2, out)
     np.power(t3, out, out)
-    np.greater(t3, C2, m0)
-    np.less(t3, C1, m1)
+    np.greater(t3, C0, m0)
+    np.less(t3, C2, m1)
     np.bitwise_and(m0, m1, m1)
     some107 = np.count_nonzero(m1)
     if some107:
         np.power(out, n, t4)
-        np.power(out, C2, t5)
+        np.power(out, C0, t5)
         np.multiply(t4, t5, t5)
         np.divide(t3, t5, t5)
-        np.subtract(t5, C0, t5)
+        np.subtract(t5, C1, t5)
         np.divide(t5, t2, t5)
         np.multiply(out, t5, t5)
         np.add(out, t5, t4)
@@ -2505,23 +2575,23 @@ def block_step_force_standard_solid_all(out, t, d, A, n, E_inf, E_1, tau, t0, t1
     np.add(t0, C3, t2)
     np.add(t0, C5, t3)
     np.multiply(t2, t3, t3)
-    np.less(t0, C0, m0)
+    np.less(t0, C1, m0)
     some31 = np.count_nonzero(m0)
     if some31:
-        np.add(t0, C0, t2)
+        np.add(t0, C1, t2)
         np.multiply(t0, t2, t2)
         np.divide(t2, t3, t2)
     if some31 != size:
         other31 = t4 if some31 else t2
         np.add(t0, C6, other31)
         np.divide(other31, t3, other31)
-        np.subtract(C0, other31, other31)
+        np.subtract(C1, other31, other31)
         if some31:
             np.copyto(t2, other31, where=~m0)
     np.sqrt(t1, t3)
     np.multiply(t2, t3, t3)
     np.multiply(t1, t1, t1)
-    np.divide(C0, t1, t1)
+    np.divide(C1, t1, t1)
     np.multiply(C7, t1, t2)
     np.add(t2, C8, t2)
     np.multiply(t2, t1, t2)
@@ -2545,33 +2615,33 @@ def block_step_force_standard_solid_all(out, t, d, A, n, E_inf, E_1, tau, t0, t1
     np.multiply(t0, t1, t0)
     np.add(t0, C19, t0)
     np.multiply(t0, t1, t0)
-    np.add(t0, C0, t0)
+    np.add(t0, C1, t0)
     np.divide(t2, t0, t0)
     np.multiply(t1, t0, t0)
-    np.add(C0, t0, t0)
+    np.add(C1, t0, t0)
     np.multiply(t3, t0, t0)
     np.multiply(C20, A, t3)
     np.multiply(t3, t0, t3)
     np.divide(d, t3, t3)
     np.multiply(C21, n, t1)
     np.multiply(t1, A, t1)
-    np.add(n, C0, t2)
+    np.add(n, C1, t2)
     np.divide(t1, t2, t2)
     np.multiply(t2, t0, t0)
     np.multiply(t0, t3, t0)
-    np.add(n, C2, t2)
-    np.divide(C0, t2, t1)
+    np.add(n, C0, t2)
+    np.divide(C1, t2, t1)
     np.power(t3, t1, t1)
-    np.greater(t3, C2, m0)
-    np.less(t3, C1, m1)
+    np.greater(t3, C0, m0)
+    np.less(t3, C2, m1)
     np.bitwise_and(m0, m1, m1)
     some104 = np.count_nonzero(m1)
     if some104:
         np.power(t1, n, t4)
-        np.power(t1, C2, t5)
+        np.power(t1, C0, t5)
         np.multiply(t4, t5, t5)
         np.divide(t3, t5, t5)
-        np.subtract(t5, C0, t5)
+        np.subtract(t5, C1, t5)
         np.divide(t5, t2, t5)
         np.multiply(t1, t5, t5)
         np.add(t1, t5, t4)
@@ -2675,16 +2745,16 @@ def block_step_load_radius_kelvin_voigt_t(out, t, F, n, E, eta, v6, v78, v83, v8
     np.multiply(v78, t0, t0)
     np.divide(t0, v83, t0)
     np.power(t0, v85, t1)
-    np.greater(t0, C2, m0)
-    np.less(t0, C1, m1)
+    np.greater(t0, C0, m0)
+    np.less(t0, C2, m1)
     np.bitwise_and(m0, m1, m1)
     some100 = np.count_nonzero(m1)
     if some100:
         np.power(t1, n, out)
-        np.power(t1, C0, t2)
+        np.power(t1, C1, t2)
         np.multiply(out, t2, t2)
         np.divide(t0, t2, t2)
-        np.subtract(t2, C0, t2)
+        np.subtract(t2, C1, t2)
         np.divide(t2, v78, t2)
         np.multiply(t1, t2, t2)
         np.add(t1, t2, out)
@@ -2714,23 +2784,23 @@ def block_step_load_radius_kelvin_voigt_all(out, t, F, A, n, E, eta, t0, t1, t2,
     np.add(t1, C3, t3)
     np.add(t1, C5, t4)
     np.multiply(t3, t4, t4)
-    np.less(t1, C0, m0)
+    np.less(t1, C1, m0)
     some32 = np.count_nonzero(m0)
     if some32:
-        np.add(t1, C0, t3)
+        np.add(t1, C1, t3)
         np.multiply(t1, t3, t3)
         np.divide(t3, t4, t3)
     if some32 != size:
         other32 = t5 if some32 else t3
         np.add(t1, C6, other32)
         np.divide(other32, t4, other32)
-        np.subtract(C0, other32, other32)
+        np.subtract(C1, other32, other32)
         if some32:
             np.copyto(t3, other32, where=~m0)
     np.sqrt(t2, t4)
     np.multiply(t3, t4, t4)
     np.multiply(t2, t2, t2)
-    np.divide(C0, t2, t2)
+    np.divide(C1, t2, t2)
     np.multiply(C7, t2, t3)
     np.add(t3, C8, t3)
     np.multiply(t3, t2, t3)
@@ -2754,29 +2824,29 @@ def block_step_load_radius_kelvin_voigt_all(out, t, F, A, n, E, eta, t0, t1, t2,
     np.multiply(t1, t2, t1)
     np.add(t1, C19, t1)
     np.multiply(t1, t2, t1)
-    np.add(t1, C0, t1)
+    np.add(t1, C1, t1)
     np.divide(t3, t1, t1)
     np.multiply(t2, t1, t1)
-    np.add(C0, t1, t1)
+    np.add(C1, t1, t1)
     np.multiply(t4, t1, t1)
-    np.add(n, C0, t4)
+    np.add(n, C1, t4)
     np.multiply(t4, t0, t0)
     np.multiply(C21, n, t2)
     np.multiply(t2, A, t2)
     np.multiply(t2, t1, t1)
     np.divide(t0, t1, t1)
-    np.divide(C0, t4, t0)
+    np.divide(C1, t4, t0)
     np.power(t1, t0, t0)
-    np.greater(t1, C2, m0)
-    np.less(t1, C1, m1)
+    np.greater(t1, C0, m0)
+    np.less(t1, C2, m1)
     np.bitwise_and(m0, m1, m1)
     some100 = np.count_nonzero(m1)
     if some100:
         np.power(t0, n, out)
-        np.power(t0, C0, t2)
+        np.power(t0, C1, t2)
         np.multiply(out, t2, t2)
         np.divide(t1, t2, t2)
-        np.subtract(t2, C0, t2)
+        np.subtract(t2, C1, t2)
         np.divide(t2, t4, t2)
         np.multiply(t0, t2, t2)
         np.add(t0, t2, out)
@@ -2869,22 +2939,22 @@ def block_step_load_radius_maxwell_t(out, t, F, n, E, tau, v75, v80, v82, t0, t1
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    np.add(C0, t0, t0)
+    np.add(C1, t0, t0)
     np.divide(t0, E, t0)
     np.multiply(F, t0, t0)
     np.multiply(v75, t0, t0)
     np.divide(t0, v80, t0)
     np.power(t0, v82, t1)
-    np.greater(t0, C2, m0)
-    np.less(t0, C1, m1)
+    np.greater(t0, C0, m0)
+    np.less(t0, C2, m1)
     np.bitwise_and(m0, m1, m1)
     some97 = np.count_nonzero(m1)
     if some97:
         np.power(t1, n, out)
-        np.power(t1, C0, t2)
+        np.power(t1, C1, t2)
         np.multiply(out, t2, t2)
         np.divide(t0, t2, t2)
-        np.subtract(t2, C0, t2)
+        np.subtract(t2, C1, t2)
         np.divide(t2, v75, t2)
         np.multiply(t1, t2, t2)
         np.add(t1, t2, out)
@@ -2902,7 +2972,7 @@ def block_step_load_radius_maxwell_all(out, t, F, A, n, E, tau, t0, t1, t2, t3, 
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    np.add(C0, t0, t0)
+    np.add(C1, t0, t0)
     np.divide(t0, E, t0)
     np.multiply(F, t0, t0)
     np.multiply(n, C3, t1)
@@ -2911,23 +2981,23 @@ def block_step_load_radius_maxwell_all(out, t, F, A, n, E, tau, t0, t1, t2, t3, 
     np.add(t1, C3, t3)
     np.add(t1, C5, t4)
     np.multiply(t3, t4, t4)
-    np.less(t1, C0, m0)
+    np.less(t1, C1, m0)
     some29 = np.count_nonzero(m0)
     if some29:
-        np.add(t1, C0, t3)
+        np.add(t1, C1, t3)
         np.multiply(t1, t3, t3)
         np.divide(t3, t4, t3)
     if some29 != size:
         other29 = t5 if some29 else t3
         np.add(t1, C6, other29)
         np.divide(other29, t4, other29)
-        np.subtract(C0, other29, other29)
+        np.subtract(C1, other29, other29)
         if some29:
             np.copyto(t3, other29, where=~m0)
     np.sqrt(t2, t4)
     np.multiply(t3, t4, t4)
     np.multiply(t2, t2, t2)
-    np.divide(C0, t2, t2)
+    np.divide(C1, t2, t2)
     np.multiply(C7, t2, t3)
     np.add(t3, C8, t3)
     np.multiply(t3, t2, t3)
@@ -2951,29 +3021,29 @@ def block_step_load_radius_maxwell_all(out, t, F, A, n, E, tau, t0, t1, t2, t3, 
     np.multiply(t1, t2, t1)
     np.add(t1, C19, t1)
     np.multiply(t1, t2, t1)
-    np.add(t1, C0, t1)
+    np.add(t1, C1, t1)
     np.divide(t3, t1, t1)
     np.multiply(t2, t1, t1)
-    np.add(C0, t1, t1)
+    np.add(C1, t1, t1)
     np.multiply(t4, t1, t1)
-    np.add(n, C0, t4)
+    np.add(n, C1, t4)
     np.multiply(t4, t0, t0)
     np.multiply(C21, n, t2)
     np.multiply(t2, A, t2)
     np.multiply(t2, t1, t1)
     np.divide(t0, t1, t1)
-    np.divide(C0, t4, t0)
+    np.divide(C1, t4, t0)
     np.power(t1, t0, t0)
-    np.greater(t1, C2, m0)
-    np.less(t1, C1, m1)
+    np.greater(t1, C0, m0)
+    np.less(t1, C2, m1)
     np.bitwise_and(m0, m1, m1)
     some97 = np.count_nonzero(m1)
     if some97:
         np.power(t0, n, out)
-        np.power(t0, C0, t2)
+        np.power(t0, C1, t2)
         np.multiply(out, t2, t2)
         np.divide(t1, t2, t2)
-        np.subtract(t2, C0, t2)
+        np.subtract(t2, C1, t2)
         np.divide(t2, t4, t2)
         np.multiply(t0, t2, t2)
         np.add(t0, t2, out)
@@ -3072,16 +3142,16 @@ def block_step_load_radius_power_creep_t(out, t, F, n, E, alpha, t_0, v76, v81, 
     np.multiply(v76, t0, t0)
     np.divide(t0, v81, t0)
     np.power(t0, v83, t1)
-    np.greater(t0, C2, m0)
-    np.less(t0, C1, m1)
+    np.greater(t0, C0, m0)
+    np.less(t0, C2, m1)
     np.bitwise_and(m0, m1, m1)
     some98 = np.count_nonzero(m1)
     if some98:
         np.power(t1, n, out)
-        np.power(t1, C0, t2)
+        np.power(t1, C1, t2)
         np.multiply(out, t2, t2)
         np.divide(t0, t2, t2)
-        np.subtract(t2, C0, t2)
+        np.subtract(t2, C1, t2)
         np.divide(t2, v76, t2)
         np.multiply(t1, t2, t2)
         np.add(t1, t2, out)
@@ -3108,23 +3178,23 @@ def block_step_load_radius_power_creep_all(out, t, F, A, n, E, alpha, t_0, t0, t
     np.add(t1, C3, t3)
     np.add(t1, C5, t4)
     np.multiply(t3, t4, t4)
-    np.less(t1, C0, m0)
+    np.less(t1, C1, m0)
     some30 = np.count_nonzero(m0)
     if some30:
-        np.add(t1, C0, t3)
+        np.add(t1, C1, t3)
         np.multiply(t1, t3, t3)
         np.divide(t3, t4, t3)
     if some30 != size:
         other30 = t5 if some30 else t3
         np.add(t1, C6, other30)
         np.divide(other30, t4, other30)
-        np.subtract(C0, other30, other30)
+        np.subtract(C1, other30, other30)
         if some30:
             np.copyto(t3, other30, where=~m0)
     np.sqrt(t2, t4)
     np.multiply(t3, t4, t4)
     np.multiply(t2, t2, t2)
-    np.divide(C0, t2, t2)
+    np.divide(C1, t2, t2)
     np.multiply(C7, t2, t3)
     np.add(t3, C8, t3)
     np.multiply(t3, t2, t3)
@@ -3148,29 +3218,29 @@ def block_step_load_radius_power_creep_all(out, t, F, A, n, E, alpha, t_0, t0, t
     np.multiply(t1, t2, t1)
     np.add(t1, C19, t1)
     np.multiply(t1, t2, t1)
-    np.add(t1, C0, t1)
+    np.add(t1, C1, t1)
     np.divide(t3, t1, t1)
     np.multiply(t2, t1, t1)
-    np.add(C0, t1, t1)
+    np.add(C1, t1, t1)
     np.multiply(t4, t1, t1)
-    np.add(n, C0, t4)
+    np.add(n, C1, t4)
     np.multiply(t4, t0, t0)
     np.multiply(C21, n, t2)
     np.multiply(t2, A, t2)
     np.multiply(t2, t1, t1)
     np.divide(t0, t1, t1)
-    np.divide(C0, t4, t0)
+    np.divide(C1, t4, t0)
     np.power(t1, t0, t0)
-    np.greater(t1, C2, m0)
-    np.less(t1, C1, m1)
+    np.greater(t1, C0, m0)
+    np.less(t1, C2, m1)
     np.bitwise_and(m0, m1, m1)
     some98 = np.count_nonzero(m1)
     if some98:
         np.power(t0, n, out)
-        np.power(t0, C0, t2)
+        np.power(t0, C1, t2)
         np.multiply(out, t2, t2)
         np.divide(t1, t2, t2)
-        np.subtract(t2, C0, t2)
+        np.subtract(t2, C1, t2)
         np.divide(t2, t4, t2)
         np.multiply(t0, t2, t2)
         np.add(t0, t2, out)
@@ -3278,16 +3348,16 @@ def block_step_load_radius_standard_solid_t(out, t, F, n, E_inf, tau, v9, v12, v
     np.multiply(v84, t0, t0)
     np.divide(t0, v89, t0)
     np.power(t0, v91, t1)
-    np.greater(t0, C2, m0)
-    np.less(t0, C1, m1)
+    np.greater(t0, C0, m0)
+    np.less(t0, C2, m1)
     np.bitwise_and(m0, m1, m1)
     some106 = np.count_nonzero(m1)
     if some106:
         np.power(t1, n, out)
-        np.power(t1, C0, t2)
+        np.power(t1, C1, t2)
         np.multiply(out, t2, t2)
         np.divide(t0, t2, t2)
-        np.subtract(t2, C0, t2)
+        np.subtract(t2, C1, t2)
         np.divide(t2, v84, t2)
         np.multiply(t1, t2, t2)
         np.add(t1, t2, out)
@@ -3308,7 +3378,7 @@ def block_step_load_radius_standard_solid_all(out, t, F, A, n, E_inf, E_1, tau, 
     np.divide(t, tau, t1)
     np.divide(E_inf, t0, t2)
     np.multiply(t1, t2, t2)
-    np.divide(C0, t0, t1)
+    np.divide(C1, t0, t1)
     np.divide(E_1, t0, t0)
     np.negative(t2, t2)
     np.expm1(t2, t2)
@@ -3322,23 +3392,23 @@ def block_step_load_radius_standard_solid_all(out, t, F, A, n, E_inf, E_1, tau, 
     np.add(t1, C3, t3)
     np.add(t1, C5, t4)
     np.multiply(t3, t4, t4)
-    np.less(t1, C0, m0)
+    np.less(t1, C1, m0)
     some38 = np.count_nonzero(m0)
     if some38:
-        np.add(t1, C0, t3)
+        np.add(t1, C1, t3)
         np.multiply(t1, t3, t3)
         np.divide(t3, t4, t3)
     if some38 != size:
         other38 = t5 if some38 else t3
         np.add(t1, C6, other38)
         np.divide(other38, t4, other38)
-        np.subtract(C0, other38, other38)
+        np.subtract(C1, other38, other38)
         if some38:
             np.copyto(t3, other38, where=~m0)
     np.sqrt(t0, t4)
     np.multiply(t3, t4, t4)
     np.multiply(t0, t0, t0)
-    np.divide(C0, t0, t0)
+    np.divide(C1, t0, t0)
     np.multiply(C7, t0, t3)
     np.add(t3, C8, t3)
     np.multiply(t3, t0, t3)
@@ -3362,29 +3432,29 @@ def block_step_load_radius_standard_solid_all(out, t, F, A, n, E_inf, E_1, tau, 
     np.multiply(t1, t0, t1)
     np.add(t1, C19, t1)
     np.multiply(t1, t0, t1)
-    np.add(t1, C0, t1)
+    np.add(t1, C1, t1)
     np.divide(t3, t1, t1)
     np.multiply(t0, t1, t1)
-    np.add(C0, t1, t1)
+    np.add(C1, t1, t1)
     np.multiply(t4, t1, t1)
-    np.add(n, C0, t4)
+    np.add(n, C1, t4)
     np.multiply(t4, t2, t2)
     np.multiply(C21, n, t0)
     np.multiply(t0, A, t0)
     np.multiply(t0, t1, t1)
     np.divide(t2, t1, t1)
-    np.divide(C0, t4, t2)
+    np.divide(C1, t4, t2)
     np.power(t1, t2, t2)
-    np.greater(t1, C2, m0)
-    np.less(t1, C1, m1)
+    np.greater(t1, C0, m0)
+    np.less(t1, C2, m1)
     np.bitwise_and(m0, m1, m1)
     some106 = np.count_nonzero(m1)
     if some106:
         np.power(t2, n, out)
-        np.power(t2, C0, t0)
+        np.power(t2, C1, t0)
         np.multiply(out, t0, t0)
         np.divide(t1, t0, t0)
-        np.subtract(t0, C0, t0)
+        np.subtract(t0, C1, t0)
         np.divide(t0, t4, t0)
         np.multiply(t2, t0, t0)
         np.add(t2, t0, out)
@@ -3393,46 +3463,43 @@ def block_step_load_radius_standard_solid_all(out, t, F, A, n, E_inf, E_1, tau, 
 
 
 BLOCKS = {
-    ('_contact_time_kelvin_voigt', 0, 'v', 'v_2', 't_m', 'E', 'eta'): {
-        ('v', 'v_2', 't_m', 'E', 'eta'): (('v', 'v_2', 't_m', 'E', 'eta'), prepare_contact_time_kelvin_voigt_all_signed, block_contact_time_kelvin_voigt_all_signed, 1, 0, (0.0,), False),
+    ('_contact_time_kelvin_voigt', 0, 'v', 'v_2', 't_m', 't_h', 'E', 'eta'): {
+        ('v', 'v_2', 't_m', 't_h', 'E', 'eta'): (('v', 'v_2', 't_m', 't_h', 'E', 'eta'), prepare_contact_time_kelvin_voigt_all_signed, block_contact_time_kelvin_voigt_all_signed, 1, 0, (0.0,), False),
     },
-    ('_contact_time_maxwell', 0, 'v', 'v_2', 't_m', 'E', 'tau'): {
-        ('v', 'v_2', 't_m', 'E', 'tau'): (('v', 'v_2', 't_m', 'E', 'tau'), prepare_contact_time_maxwell_all_signed, block_contact_time_maxwell_all_signed, 1, 0, (), False),
+    ('_contact_time_maxwell', 0, 'v', 'v_2', 't_m', 't_h', 'E', 'tau'): {
+        ('v', 'v_2', 't_m', 't_h', 'E', 'tau'): (('v', 'v_2', 't_m', 't_h', 'E', 'tau'), prepare_contact_time_maxwell_all_signed, block_contact_time_maxwell_all_signed, 2, 0, (), False),
     },
-    ('_contact_time_power_creep', 0, 'v', 'v_2', 't_m', 'E', 'alpha', 't_0'): {
-        ('v', 'v_2', 't_m', 'E', 'alpha', 't_0'): (('v', 'v_2', 't_m', 'E', 'alpha', 't_0'), prepare_contact_time_power_creep_all_signed, block_contact_time_power_creep_all_signed, 1, 0, (700.0,), False),
+    ('_earlier_time_kelvin_voigt', 1, 't', 'v', 'v_2', 't_m', 't_h', 'E', 'eta'): {
+        ('t',): (('t',), prepare_earlier_time_kelvin_voigt_t, block_earlier_time_kelvin_voigt_t, 0, 2, (0.0,), False),
+        ('t', 'v', 'v_2', 't_m', 't_h', 'E', 'eta'): (('t', 'v', 'v_2', 't_m', 't_h', 'E', 'eta'), prepare_earlier_time_kelvin_voigt_all, block_earlier_time_kelvin_voigt_all, 2, 2, (0.0,), False),
     },
-    ('_earlier_time_kelvin_voigt', 1, 't', 'v', 'v_2', 't_m', 'E', 'eta'): {
-        ('t',): (('t',), prepare_earlier_time_kelvin_voigt_t, block_earlier_time_kelvin_voigt_t, 0, 1, (0.0,), False),
-        ('t', 'v', 'v_2', 't_m', 'E', 'eta'): (('t', 'v', 'v_2', 't_m', 'E', 'eta'), prepare_earlier_time_kelvin_voigt_all, block_earlier_time_kelvin_voigt_all, 2, 1, (0.0,), False),
-    },
-    ('_earlier_time_maxwell', 1, 't', 'v', 'v_2', 't_m', 'E', 'tau'): {
+    ('_earlier_time_maxwell', 1, 't', 'v', 'v_2', 't_m', 't_h', 'E', 'tau'): {
         ('t',): (('t',), prepare_earlier_time_maxwell_t, block_earlier_time_maxwell_t, 1, 2, (0.0, 700.0, 0.9999999999999998), False),
-        ('t', 'v', 'v_2', 't_m', 'E', 'tau'): (('t', 'v', 'v_2', 't_m', 'E', 'tau'), prepare_earlier_time_maxwell_all, block_earlier_time_maxwell_all, 2, 2, (0.0, 700.0, 0.9999999999999998), False),
+        ('t', 'v', 'v_2', 't_m', 't_h', 'E', 'tau'): (('t', 'v', 'v_2', 't_m', 't_h', 'E', 'tau'), prepare_earlier_time_maxwell_all, block_earlier_time_maxwell_all, 2, 2, (0.0, 700.0, 0.9999999999999998), False),
     },
-    ('_earlier_time_power_creep', 1, 't', 'v', 'v_2', 't_m', 'E', 'alpha', 't_0'): {
-        ('t',): (('t',), prepare_earlier_time_power_creep_t, block_earlier_time_power_creep_t, 0, 1, (0.0,), False),
-        ('t', 'v', 'v_2', 't_m', 'E', 'alpha', 't_0'): (('t', 'v', 'v_2', 't_m', 'E', 'alpha', 't_0'), prepare_earlier_time_power_creep_all, block_earlier_time_power_creep_all, 2, 1, (0.0, 700.0), False),
+    ('_earlier_time_power_creep', 1, 't', 'v', 'v_2', 't_m', 't_h', 'E', 'alpha', 't_0'): {
+        ('t',): (('t',), prepare_earlier_time_power_creep_t, block_earlier_time_power_creep_t, 1, 2, (0.0, 700.0), False),
+        ('t', 'v', 'v_2', 't_m', 't_h', 'E', 'alpha', 't_0'): (('t', 'v', 'v_2', 't_m', 't_h', 'E', 'alpha', 't_0'), prepare_earlier_time_power_creep_all, block_earlier_time_power_creep_all, 3, 2, (0.0, 700.0), False),
     },
     ('_ramp_force_kelvin_voigt', 1, 't', 'A', 'n', 'v', 'E', 'eta'): {
         ('t',): (('t',), prepare_ramp_force_kelvin_voigt_t, block_ramp_force_kelvin_voigt_t, 5, 3, (), False),
         ('t', 'A', 'n', 'v', 'E', 'eta'): (('t', 'A', 'n', 'v', 'E', 'eta'), prepare_ramp_force_kelvin_voigt_all, block_ramp_force_kelvin_voigt_all, 8, 3, (), False),
     },
-    ('_retract_force_kelvin_voigt', 1, 't', 'A', 'n', 'v', 'v_2', 't_m', 'E', 'eta'): {
+    ('_retract_force_kelvin_voigt', 1, 't', 'A', 'n', 'v', 'v_2', 't_m', 't_h', 'E', 'eta'): {
         ('t',): (('t',), prepare_retract_force_kelvin_voigt_t, block_retract_force_kelvin_voigt_t, 6, 4, (0.0,), False),
-        ('t', 'A', 'n', 'v', 'v_2', 't_m', 'E', 'eta'): (('t', 'A', 'n', 'v', 'v_2', 't_m', 'E', 'eta'), prepare_retract_force_kelvin_voigt_all, block_retract_force_kelvin_voigt_all, 12, 4, (0.0,), False),
+        ('t', 'A', 'n', 'v', 'v_2', 't_m', 't_h', 'E', 'eta'): (('t', 'A', 'n', 'v', 'v_2', 't_m', 't_h', 'E', 'eta'), prepare_retract_force_kelvin_voigt_all, block_retract_force_kelvin_voigt_all, 12, 4, (0.0,), False),
     },
-    ('_retract_radius_kelvin_voigt', 1, 't', 'A', 'n', 'v', 'v_2', 't_m', 'E', 'eta'): {
+    ('_retract_radius_kelvin_voigt', 1, 't', 'A', 'n', 'v', 'v_2', 't_m', 't_h', 'E', 'eta'): {
         ('t',): (('t',), prepare_retract_radius_kelvin_voigt_t, block_retract_radius_kelvin_voigt_t, 5, 3, (0.0,), False),
-        ('t', 'A', 'n', 'v', 'v_2', 't_m', 'E', 'eta'): (('t', 'A', 'n', 'v', 'v_2', 't_m', 'E', 'eta'), prepare_retract_radius_kelvin_voigt_all, block_retract_radius_kelvin_voigt_all, 8, 3, (0.0,), False),
+        ('t', 'A', 'n', 'v', 'v_2', 't_m', 't_h', 'E', 'eta'): (('t', 'A', 'n', 'v', 'v_2', 't_m', 't_h', 'E', 'eta'), prepare_retract_radius_kelvin_voigt_all, block_retract_radius_kelvin_voigt_all, 8, 3, (0.0,), False),
     },
-    ('_retract_radius_maxwell', 1, 't', 'A', 'n', 'v', 'v_2', 't_m', 'E', 'tau'): {
+    ('_retract_radius_maxwell', 1, 't', 'A', 'n', 'v', 'v_2', 't_m', 't_h', 'E', 'tau'): {
         ('t',): (('t',), prepare_retract_radius_maxwell_t, block_retract_radius_maxwell_t, 5, 3, (0.0, 700.0, 0.9999999999999998), False),
-        ('t', 'A', 'n', 'v', 'v_2', 't_m', 'E', 'tau'): (('t', 'A', 'n', 'v', 'v_2', 't_m', 'E', 'tau'), prepare_retract_radius_maxwell_all, block_retract_radius_maxwell_all, 8, 3, (0.0, 700.0, 0.9999999999999998), False),
+        ('t', 'A', 'n', 'v', 'v_2', 't_m', 't_h', 'E', 'tau'): (('t', 'A', 'n', 'v', 'v_2', 't_m', 't_h', 'E', 'tau'), prepare_retract_radius_maxwell_all, block_retract_radius_maxwell_all, 8, 3, (0.0, 700.0, 0.9999999999999998), False),
     },
-    ('_retract_radius_power_creep', 1, 't', 'A', 'n', 'v', 'v_2', 't_m', 'E', 'alpha', 't_0'): {
-        ('t',): (('t',), prepare_retract_radius_power_creep_t, block_retract_radius_power_creep_t, 5, 3, (0.0,), False),
-        ('t', 'A', 'n', 'v', 'v_2', 't_m', 'E', 'alpha', 't_0'): (('t', 'A', 'n', 'v', 'v_2', 't_m', 'E', 'alpha', 't_0'), prepare_retract_radius_power_creep_all, block_retract_radius_power_creep_all, 8, 3, (0.0, 700.0), False),
+    ('_retract_radius_power_creep', 1, 't', 'A', 'n', 'v', 'v_2', 't_m', 't_h', 'E', 'alpha', 't_0'): {
+        ('t',): (('t',), prepare_retract_radius_power_creep_t, block_retract_radius_power_creep_t, 5, 3, (0.0, 700.0), False),
+        ('t', 'A', 'n', 'v', 'v_2', 't_m', 't_h', 'E', 'alpha', 't_0'): (('t', 'A', 'n', 'v', 'v_2', 't_m', 't_h', 'E', 'alpha', 't_0'), prepare_retract_radius_power_creep_all, block_retract_radius_power_creep_all, 8, 3, (0.0, 700.0), False),
     },
     ('_step_force_kelvin_voigt', 1, 't', 'd', 'A', 'n', 'E', 'eta'): {
         ('t',): (('t',), prepare_step_force_kelvin_voigt_t, block_step_force_kelvin_voigt_t, 0, 1, (), False),

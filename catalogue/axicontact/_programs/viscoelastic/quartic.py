@@ -9,9 +9,9 @@ import numpy as np
 from ..._runtime.interface import largest, ordinary
 from ..._programs.bodies.viscoelastic import quartic as bodies
 
-C0 = np.array(1.0)
-C1 = np.array(np.inf)
-C2 = np.array(0.0)
+C0 = np.array(0.0)
+C1 = np.array(1.0)
+C2 = np.array(np.inf)
 C3 = np.array(0.8)
 C4 = np.array(6.0)
 C5 = np.array(1.25)
@@ -24,11 +24,11 @@ C11 = np.array(5.0)
 C12 = np.array(64.0)
 
 
-def contact_time_kelvin_voigt(v, v_2, t_m, E, eta):
-    if v.__class__ is v_2.__class__ is t_m.__class__ is E.__class__ is eta.__class__ is float and v > 1e-30 and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
+def contact_time_kelvin_voigt(v, v_2, t_m, t_h, E, eta):
+    if v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is E.__class__ is eta.__class__ is float and v > 1e-30 and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
         try:
-            v8 = t_m / (v_2 / v) - eta / E
-            return t_m + (v8 if v8 > 0.0 or v8 != v8 else 0.0)
+            v9 = t_m / (v_2 / v) - eta / E
+            return t_h + (v9 if v9 > 0.0 or v9 != v9 else 0.0)
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -38,19 +38,19 @@ def prepare_contact_time_kelvin_voigt_all_signed():
     return ()
 
 
-def block_contact_time_kelvin_voigt_all_signed(out, v, v_2, t_m, E, eta, t0, f0):
+def block_contact_time_kelvin_voigt_all_signed(out, v, v_2, t_m, t_h, E, eta, t0, f0):
     np.divide(v_2, v, out)
     np.divide(t_m, out, out)
     np.divide(eta, E, t0)
     np.subtract(out, t0, t0)
     np.maximum(t0, f0, out=t0)
-    np.add(t_m, t0, out)
+    np.add(t_h, t0, out)
 
 
-def contact_time_maxwell(v, v_2, t_m, E, tau):
-    if v.__class__ is v_2.__class__ is t_m.__class__ is E.__class__ is tau.__class__ is float and v > 1e-30 and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (E > 1e-30) and (E < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+def contact_time_maxwell(v, v_2, t_m, t_h, E, tau):
+    if v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is E.__class__ is tau.__class__ is float and v > 1e-30 and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (E > 1e-30) and (E < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
         try:
-            value = t_m + tau * log1p(-expm1(-t_m / tau) / (v_2 / v))
+            value = t_h + tau * log1p(-expm1(-t_m / tau) * exp((t_m - t_h) / tau) / (v_2 / v))
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             return None
@@ -63,93 +63,85 @@ def prepare_contact_time_maxwell_all_signed():
     return ()
 
 
-def block_contact_time_maxwell_all_signed(out, v, v_2, t_m, E, tau, t0):
+def block_contact_time_maxwell_all_signed(out, v, v_2, t_m, t_h, E, tau, t0, t1):
     np.divide(v_2, v, out)
     np.negative(t_m, t0)
     np.divide(t0, tau, t0)
     np.expm1(t0, t0)
     np.negative(t0, t0)
-    np.divide(t0, out, out)
+    np.subtract(t_m, t_h, t1)
+    np.divide(t1, tau, t1)
+    np.exp(t1, t1)
+    np.multiply(t0, t1, t1)
+    np.divide(t1, out, out)
     np.log1p(out, out)
     np.multiply(tau, out, out)
-    np.add(t_m, out, out)
+    np.add(t_h, out, out)
 
 
-def contact_time_power_creep(v, v_2, t_m, E, alpha, t_0):
-    if v.__class__ is v_2.__class__ is t_m.__class__ is E.__class__ is alpha.__class__ is t_0.__class__ is float and v > 1e-30 and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (E > 1e-30) and (E < 1e+30) and (alpha > 1e-30) and (alpha < 1.0) and (t_0 > 1e-30) and (t_0 < 1e+30):
+def contact_time_power_creep(v, v_2, t_m, t_h, E, alpha, t_0):
+    if v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is E.__class__ is alpha.__class__ is t_0.__class__ is float and v > 1e-30 and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (E > 1e-30) and (E < 1e+30) and (alpha > 1e-30) and (alpha < 1.0) and (t_0 > 1e-30) and (t_0 < 1e+30):
         try:
-            v10 = log1p(v_2 / v) / (1.0 - alpha)
-            value = t_m + t_m / expm1(v10 if v10 < 700.0 or v10 != v10 else 700.0)
+            value = bodies._contact_time_power_creep(v, v_2, t_m, t_h, E, alpha, t_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            return None
-        except (ArithmeticError, ValueError):
-            pass
-    return None
-
-
-def prepare_contact_time_power_creep_all_signed():
-    return ()
-
-
-def block_contact_time_power_creep_all_signed(out, v, v_2, t_m, E, alpha, t_0, t0, f0):
-    np.divide(v_2, v, out)
-    np.log1p(out, out)
-    np.subtract(C0, alpha, t0)
-    np.divide(out, t0, t0)
-    np.minimum(t0, f0, out=t0)
-    np.expm1(t0, t0)
-    np.divide(t_m, t0, t0)
-    np.add(t_m, t0, out)
-
-
-def contact_time_standard_solid(v, v_2, t_m, E_inf, E_1, tau):
-    if v.__class__ is v_2.__class__ is t_m.__class__ is E_inf.__class__ is E_1.__class__ is tau.__class__ is float and v > 1e-30 and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (E_inf > 1e-30) and (E_inf < 1e+30) and (E_1 > 1e-30) and (E_1 < 1e+30) and (tau > -1e+30) and (tau < 1e+30):
-        try:
-            value = bodies._contact_time_standard_solid(v, v_2, t_m, E_inf, E_1, tau)
-            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
-                return value
-            if (value != value or value == 0.0) and ordinary(v, v_2, t_m, E_inf, E_1, tau):
+            if value != value and ordinary(v, v_2, t_m, t_h, E, alpha, t_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
     return None
 
 
-def earlier_time_kelvin_voigt(t, v, v_2, t_m, E, eta):
-    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is E.__class__ is eta.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
+def contact_time_standard_solid(v, v_2, t_m, t_h, E_inf, E_1, tau):
+    if v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is E_inf.__class__ is E_1.__class__ is tau.__class__ is float and v > 1e-30 and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (E_inf > 1e-30) and (E_inf < 1e+30) and (E_1 > 1e-30) and (E_1 < 1e+30) and (tau > -1e+30) and (tau < 1e+30):
+        try:
+            value = bodies._contact_time_standard_solid(v, v_2, t_m, t_h, E_inf, E_1, tau)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if (value != value or value == 0.0) and ordinary(v, v_2, t_m, t_h, E_inf, E_1, tau):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def earlier_time_kelvin_voigt(t, v, v_2, t_m, t_h, E, eta):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is E.__class__ is eta.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
         try:
             if t > t_m:
-                v7 = t - t_m
-                v14 = t_m - v_2 / v * ((v7 if v7 > 0.0 or v7 != v7 else 0.0) + eta / E)
-                return v14 if v14 > 0.0 or v14 != v14 else 0.0
+                v16 = t_m - (v_2 / v * (t - t_h + eta / E) if t > t_h else 0.0)
+                return v16 if v16 > 0.0 or v16 != v16 else 0.0
             return t
         except (ArithmeticError, ValueError):
             pass
     return None
 
 
-def prepare_earlier_time_kelvin_voigt_t(v, v_2, t_m, E, eta):
-    v6 = v_2 / v
+def prepare_earlier_time_kelvin_voigt_t(v, v_2, t_m, t_h, E, eta):
+    v7 = v_2 / v
     v10 = eta / E
-    return (t_m, v6, v10)
+    return (t_m, t_h, v7, v10)
 
 
-def block_earlier_time_kelvin_voigt_t(out, t, t_m, v6, v10, m0, f0):
+def block_earlier_time_kelvin_voigt_t(out, t, t_m, t_h, v7, v10, m0, m1, f0):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some16 = np.count_nonzero(m0)
-    if some16:
-        np.subtract(t, t_m, out)
-        np.maximum(out, f0, out=out)
-        np.add(out, v10, out)
-        np.multiply(v6, out, out)
+    some18 = np.count_nonzero(m0)
+    if some18:
+        np.greater(t, t_h, m1)
+        some14 = np.count_nonzero(m1)
+        if some14:
+            np.subtract(t, t_h, out)
+            np.add(out, v10, out)
+            np.multiply(v7, out, out)
+        if some14 != size:
+            np.copyto(out, C0, where=~m1)
         np.subtract(t_m, out, out)
         np.maximum(out, f0, out=out)
-    if some16 != size:
+    if some18 != size:
         np.copyto(out, t, where=~m0)
 
 
@@ -157,35 +149,40 @@ def prepare_earlier_time_kelvin_voigt_all():
     return ()
 
 
-def block_earlier_time_kelvin_voigt_all(out, t, v, v_2, t_m, E, eta, t0, t1, m0, f0):
+def block_earlier_time_kelvin_voigt_all(out, t, v, v_2, t_m, t_h, E, eta, t0, t1, m0, m1, f0):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some16 = np.count_nonzero(m0)
-    if some16:
-        np.divide(v_2, v, out)
-        np.subtract(t, t_m, t0)
-        np.maximum(t0, f0, out=t0)
-        np.divide(eta, E, t1)
-        np.add(t0, t1, t1)
-        np.multiply(out, t1, t1)
-        np.subtract(t_m, t1, t1)
-        np.maximum(t1, f0, out=out)
-    if some16 != size:
+    some18 = np.count_nonzero(m0)
+    if some18:
+        np.greater(t, t_h, m1)
+        some14 = np.count_nonzero(m1)
+        if some14:
+            np.divide(v_2, v, out)
+            np.subtract(t, t_h, t0)
+            np.divide(eta, E, t1)
+            np.add(t0, t1, t1)
+            np.multiply(out, t1, out)
+        if some14 != size:
+            np.copyto(out, C0, where=~m1)
+        np.subtract(t_m, out, out)
+        np.maximum(out, f0, out=out)
+    if some18 != size:
         np.copyto(out, t, where=~m0)
 
 
-def earlier_time_maxwell(t, v, v_2, t_m, E, tau):
-    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is E.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (E > 1e-30) and (E < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+def earlier_time_maxwell(t, v, v_2, t_m, t_h, E, tau):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is E.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (E > 1e-30) and (E < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
         try:
             if t > t_m:
-                v7 = t - t_m
-                v10 = (v7 if v7 > 0.0 or v7 != v7 else 0.0) / tau
-                v14 = v_2 / v * expm1(v10 if v10 < 700.0 or v10 != v10 else 700.0)
-                v26 = t_m - (-tau * log1p(-(v14 if v14 < 0.9999999999999998 or v14 != v14 else 0.9999999999999998)) if v14 < 1.0 else inf)
-                value = v26 if v26 > 0.0 or v26 != v26 else 0.0
+                v8 = t - t_h
+                v11 = (v8 if v8 > 0.0 or v8 != v8 else 0.0) / tau
+                v17 = (t_h - t_m) / tau
+                v20 = v_2 / v * expm1(v11 if v11 < 700.0 or v11 != v11 else 700.0) * exp(v17 if v17 < 700.0 or v17 != v17 else 700.0)
+                v32 = t_m - (-tau * log1p(-(v20 if v20 < 0.9999999999999998 or v20 != v20 else 0.9999999999999998)) if v20 < 1.0 else inf)
+                value = v32 if v32 > 0.0 or v32 != v32 else 0.0
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 return None
@@ -195,38 +192,43 @@ def earlier_time_maxwell(t, v, v_2, t_m, E, tau):
     return None
 
 
-def prepare_earlier_time_maxwell_t(v, v_2, t_m, E, tau):
-    v5 = v_2 / v
-    v16 = np.negative(tau)
-    return (t_m, tau, v5, v16)
+def prepare_earlier_time_maxwell_t(v, v_2, t_m, t_h, E, tau):
+    v6 = v_2 / v
+    v15 = t_h - t_m
+    v16 = v15 / tau
+    v17 = np.minimum(v16, (700.0))
+    v18 = np.exp(v17)
+    v22 = np.negative(tau)
+    return (t_m, t_h, tau, v6, v18, v22)
 
 
-def block_earlier_time_maxwell_t(out, t, t_m, tau, v5, v16, t0, m0, m1, f0, f1, f2):
+def block_earlier_time_maxwell_t(out, t, t_m, t_h, tau, v6, v18, v22, t0, m0, m1, f0, f1, f2):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some27 = np.count_nonzero(m0)
-    if some27:
-        np.subtract(t, t_m, out)
+    some33 = np.count_nonzero(m0)
+    if some33:
+        np.subtract(t, t_h, out)
         np.maximum(out, f0, out=out)
         np.divide(out, tau, out)
         np.minimum(out, f1, out=out)
         np.expm1(out, out)
-        np.multiply(v5, out, out)
-        np.less(out, C0, m1)
-        some23 = np.count_nonzero(m1)
-        if some23:
+        np.multiply(v6, out, out)
+        np.multiply(out, v18, out)
+        np.less(out, C1, m1)
+        some29 = np.count_nonzero(m1)
+        if some29:
             np.minimum(out, f2, out=t0)
             np.negative(t0, t0)
             np.log1p(t0, t0)
-            np.multiply(v16, t0, t0)
-        if some23 != size:
-            np.copyto(t0, C1, where=~m1)
+            np.multiply(v22, t0, t0)
+        if some29 != size:
+            np.copyto(t0, C2, where=~m1)
         np.subtract(t_m, t0, t0)
         np.maximum(t0, f0, out=out)
-    if some27 != size:
+    if some33 != size:
         np.copyto(out, t, where=~m0)
 
 
@@ -234,45 +236,51 @@ def prepare_earlier_time_maxwell_all():
     return ()
 
 
-def block_earlier_time_maxwell_all(out, t, v, v_2, t_m, E, tau, t0, t1, m0, m1, f0, f1, f2):
+def block_earlier_time_maxwell_all(out, t, v, v_2, t_m, t_h, E, tau, t0, t1, m0, m1, f0, f1, f2):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some27 = np.count_nonzero(m0)
-    if some27:
+    some33 = np.count_nonzero(m0)
+    if some33:
         np.divide(v_2, v, out)
-        np.subtract(t, t_m, t0)
+        np.subtract(t, t_h, t0)
         np.maximum(t0, f0, out=t0)
         np.divide(t0, tau, t0)
         np.minimum(t0, f1, out=t0)
         np.expm1(t0, t0)
         np.multiply(out, t0, t0)
-        np.less(t0, C0, m1)
-        some23 = np.count_nonzero(m1)
-        if some23:
-            np.negative(tau, out)
-            np.minimum(t0, f2, out=t1)
+        np.subtract(t_h, t_m, out)
+        np.divide(out, tau, out)
+        np.minimum(out, f1, out=out)
+        np.exp(out, out)
+        np.multiply(t0, out, out)
+        np.less(out, C1, m1)
+        some29 = np.count_nonzero(m1)
+        if some29:
+            np.negative(tau, t0)
+            np.minimum(out, f2, out=t1)
             np.negative(t1, t1)
             np.log1p(t1, t1)
-            np.multiply(out, t1, out)
-        if some23 != size:
-            np.copyto(out, C1, where=~m1)
-        np.subtract(t_m, out, out)
-        np.maximum(out, f0, out=out)
-    if some27 != size:
+            np.multiply(t0, t1, t0)
+        if some29 != size:
+            np.copyto(t0, C2, where=~m1)
+        np.subtract(t_m, t0, t0)
+        np.maximum(t0, f0, out=out)
+    if some33 != size:
         np.copyto(out, t, where=~m0)
 
 
-def earlier_time_power_creep(t, v, v_2, t_m, E, alpha, t_0):
-    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is E.__class__ is alpha.__class__ is t_0.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (E > 1e-30) and (E < 1e+30) and (alpha > 1e-30) and (alpha < 1.0) and (t_0 > 1e-30) and (t_0 < 1e+30):
+def earlier_time_power_creep(t, v, v_2, t_m, t_h, E, alpha, t_0):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is E.__class__ is alpha.__class__ is t_0.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (E > 1e-30) and (E < 1e+30) and (alpha > 1e-30) and (alpha < 1.0) and (t_0 > 1e-30) and (t_0 < 1e+30):
         try:
             if t > t_m:
-                v8 = t - t_m
-                v14 = log1p(v_2 / v) / (1.0 - alpha)
-                v20 = t_m - (v8 if v8 > 0.0 or v8 != v8 else 0.0) * expm1(v14 if v14 < 700.0 or v14 != v14 else 700.0)
-                value = v20 if v20 > 0.0 or v20 != v20 else 0.0
+                v11 = t - t_m
+                v16 = 1.0 - alpha
+                v21 = log1p(v_2 / v * pow((t - t_h) / v11 if t > t_h else 0.0, v16)) / v16
+                v27 = t_m - (v11 if v11 > 0.0 or v11 != v11 else 0.0) * expm1(v21 if v21 < 700.0 or v21 != v21 else 700.0)
+                value = v27 if v27 > 0.0 or v27 != v27 else 0.0
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 return None
@@ -282,30 +290,39 @@ def earlier_time_power_creep(t, v, v_2, t_m, E, alpha, t_0):
     return None
 
 
-def prepare_earlier_time_power_creep_t(v, v_2, t_m, E, alpha, t_0):
-    v5 = v_2 / v
-    v9 = np.log1p(v5)
-    v11 = (1.0) - alpha
-    v12 = v9 / v11
-    v14 = np.minimum(v12, (700.0))
-    v15 = np.expm1(v14)
-    return (t_m, v15)
+def prepare_earlier_time_power_creep_t(v, v_2, t_m, t_h, E, alpha, t_0):
+    v6 = v_2 / v
+    v14 = (1.0) - alpha
+    return (t_m, t_h, v6, v14)
 
 
-def block_earlier_time_power_creep_t(out, t, t_m, v15, m0, f0):
+def block_earlier_time_power_creep_t(out, t, t_m, t_h, v6, v14, t0, m0, m1, f0, f1):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some20 = np.count_nonzero(m0)
-    if some20:
+    some27 = np.count_nonzero(m0)
+    if some27:
+        np.greater(t, t_h, m1)
         np.subtract(t, t_m, out)
+        some12 = np.count_nonzero(m1)
+        if some12:
+            np.subtract(t, t_h, t0)
+            np.divide(t0, out, t0)
+        if some12 != size:
+            np.copyto(t0, C0, where=~m1)
         np.maximum(out, f0, out=out)
-        np.multiply(out, v15, out)
-        np.subtract(t_m, out, out)
-        np.maximum(out, f0, out=out)
-    if some20 != size:
+        np.power(t0, v14, t0)
+        np.multiply(v6, t0, t0)
+        np.log1p(t0, t0)
+        np.divide(t0, v14, t0)
+        np.minimum(t0, f1, out=t0)
+        np.expm1(t0, t0)
+        np.multiply(out, t0, t0)
+        np.subtract(t_m, t0, t0)
+        np.maximum(t0, f0, out=out)
+    if some27 != size:
         np.copyto(out, t, where=~m0)
 
 
@@ -313,36 +330,45 @@ def prepare_earlier_time_power_creep_all():
     return ()
 
 
-def block_earlier_time_power_creep_all(out, t, v, v_2, t_m, E, alpha, t_0, t0, t1, m0, f0, f1):
+def block_earlier_time_power_creep_all(out, t, v, v_2, t_m, t_h, E, alpha, t_0, t0, t1, t2, m0, m1, f0, f1):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some20 = np.count_nonzero(m0)
-    if some20:
+    some27 = np.count_nonzero(m0)
+    if some27:
         np.divide(v_2, v, out)
+        np.greater(t, t_h, m1)
         np.subtract(t, t_m, t0)
+        some12 = np.count_nonzero(m1)
+        if some12:
+            np.subtract(t, t_h, t1)
+            np.divide(t1, t0, t1)
+        if some12 != size:
+            np.copyto(t1, C0, where=~m1)
+        np.subtract(C1, alpha, t2)
         np.maximum(t0, f0, out=t0)
-        np.log1p(out, out)
-        np.subtract(C0, alpha, t1)
-        np.divide(out, t1, t1)
-        np.minimum(t1, f1, out=t1)
-        np.expm1(t1, t1)
-        np.multiply(t0, t1, t1)
-        np.subtract(t_m, t1, t1)
-        np.maximum(t1, f0, out=out)
-    if some20 != size:
+        np.power(t1, t2, t1)
+        np.multiply(out, t1, t1)
+        np.log1p(t1, t1)
+        np.divide(t1, t2, t2)
+        np.minimum(t2, f1, out=t2)
+        np.expm1(t2, t2)
+        np.multiply(t0, t2, t2)
+        np.subtract(t_m, t2, t2)
+        np.maximum(t2, f0, out=out)
+    if some27 != size:
         np.copyto(out, t, where=~m0)
 
 
-def earlier_time_standard_solid(t, v, v_2, t_m, E_inf, E_1, tau):
-    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is E_inf.__class__ is E_1.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (E_inf > 1e-30) and (E_inf < 1e+30) and (E_1 > 1e-30) and (E_1 < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+def earlier_time_standard_solid(t, v, v_2, t_m, t_h, E_inf, E_1, tau):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is E_inf.__class__ is E_1.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (E_inf > 1e-30) and (E_inf < 1e+30) and (E_1 > 1e-30) and (E_1 < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
         try:
-            value = bodies._earlier_time_standard_solid(t, v, v_2, t_m, E_inf, E_1, tau)
+            value = bodies._earlier_time_standard_solid(t, v, v_2, t_m, t_h, E_inf, E_1, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, E_inf, E_1, tau):
+            if value != value and ordinary(t, v, v_2, t_m, t_h, E_inf, E_1, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -368,13 +394,13 @@ def prepare_ramp_force_kelvin_voigt_t(A, v, E, eta):
 
 def block_ramp_force_kelvin_voigt_t(out, t, v, A, E, v15, t0, t1, m0):
     size = out.size
-    np.equal(t, C2, m0)
+    np.equal(t, C0, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
     some21 = np.count_nonzero(m0)
     if some21:
-        np.copyto(out, C2)
+        np.copyto(out, C0)
     if some21 != size:
         other21 = t0 if some21 else out
         np.multiply(v, t, other21)
@@ -397,13 +423,13 @@ def prepare_ramp_force_kelvin_voigt_all():
 
 def block_ramp_force_kelvin_voigt_all(out, t, A, v, E, eta, t0, t1, m0):
     size = out.size
-    np.equal(t, C2, m0)
+    np.equal(t, C0, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
     some21 = np.count_nonzero(m0)
     if some21:
-        np.copyto(out, C2)
+        np.copyto(out, C0)
     if some21 != size:
         other21 = t0 if some21 else out
         np.multiply(v, t, other21)
@@ -460,61 +486,64 @@ def ramp_force_standard_solid(t, v, A, E_inf, E_1, tau):
     return None
 
 
-def retract_force_kelvin_voigt(t, v, v_2, t_m, A, E, eta):
-    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is A.__class__ is E.__class__ is eta.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
+def retract_force_kelvin_voigt(t, v, v_2, t_m, t_h, A, E, eta):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is A.__class__ is E.__class__ is eta.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
         try:
-            v14 = t > t_m
-            if v14:
-                if v14:
-                    v8 = t - t_m
-                    v15 = t_m - v_2 / v * ((v8 if v8 > 0.0 or v8 != v8 else 0.0) + eta / E)
-                    v17 = v15 if v15 > 0.0 or v15 != v15 else 0.0
+            v16 = t > t_m
+            if v16:
+                if v16:
+                    v17 = t_m - (v_2 / v * (t - t_h + eta / E) if t > t_h else 0.0)
+                    v19 = v17 if v17 > 0.0 or v17 != v17 else 0.0
                 else:
-                    v17 = t
-                if v17 > 0.0:
-                    v18 = v * v17
-                    value = 0.8 * v18 * sqrt(sqrt(6.0 * v18 / A)) * (E + 0.0 * v17)
+                    v19 = t
+                if v19 > 0.0:
+                    v20 = v * v19
+                    value = 0.8 * v20 * sqrt(sqrt(6.0 * v20 / A)) * (E + 0.0 * v19)
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
                     return None
                 return 0.0
             if t == 0.0:
                 return 0.0
-            v33 = v * t
-            return 0.8 * v33 * sqrt(sqrt(6.0 * v33 / A)) * (E + eta * 1.25 / t)
+            v37 = v * t
+            return 0.8 * v37 * sqrt(sqrt(6.0 * v37 / A)) * (E + eta * 1.25 / t)
         except (ArithmeticError, ValueError):
             pass
     return None
 
 
-def prepare_retract_force_kelvin_voigt_t(A, v, v_2, t_m, E, eta):
-    v7 = v_2 / v
+def prepare_retract_force_kelvin_voigt_t(A, v, v_2, t_m, t_h, E, eta):
+    v8 = v_2 / v
     v11 = eta / E
-    v40 = eta * (1.25)
-    return (v, t_m, A, E, v7, v11, v40)
+    v42 = eta * (1.25)
+    return (v, t_m, t_h, A, E, v8, v11, v42)
 
 
-def block_retract_force_kelvin_voigt_t(out, t, v, t_m, A, E, v7, v11, v40, t0, t1, t2, m0, m1, f0):
+def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, A, E, v8, v11, v42, t0, t1, t2, m0, m1, f0):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some46 = np.count_nonzero(m0)
-    if some46:
-        some17 = np.count_nonzero(m0)
-        if some17:
-            np.subtract(t, t_m, t0)
-            np.maximum(t0, f0, out=t0)
-            np.add(t0, v11, t0)
-            np.multiply(v7, t0, t0)
+    some48 = np.count_nonzero(m0)
+    if some48:
+        some19 = np.count_nonzero(m0)
+        if some19:
+            np.greater(t, t_h, m1)
+            some15 = np.count_nonzero(m1)
+            if some15:
+                np.subtract(t, t_h, t0)
+                np.add(t0, v11, t0)
+                np.multiply(v8, t0, t0)
+            if some15 != size:
+                np.copyto(t0, C0, where=~m1)
             np.subtract(t_m, t0, t0)
             np.maximum(t0, f0, out=t0)
-        if some17 != size:
+        if some19 != size:
             np.copyto(t0, t, where=~m0)
-        np.greater(t0, C2, m1)
-        some31 = np.count_nonzero(m1)
-        if some31:
+        np.greater(t0, C0, m1)
+        some33 = np.count_nonzero(m1)
+        if some33:
             np.multiply(v, t0, out)
             np.multiply(C3, out, t1)
             np.multiply(C4, out, out)
@@ -522,62 +551,66 @@ def block_retract_force_kelvin_voigt_t(out, t, v, t_m, A, E, v7, v11, v40, t0, t
             np.sqrt(out, out)
             np.sqrt(out, out)
             np.multiply(t1, out, out)
-            np.multiply(C2, t0, t1)
+            np.multiply(C0, t0, t1)
             np.add(E, t1, t1)
             np.multiply(out, t1, out)
-        if some31 != size:
-            np.copyto(out, C2, where=~m1)
-    if some46 != size:
-        other46 = t0 if some46 else out
-        np.equal(t, C2, m1)
-        some45 = np.count_nonzero(m1)
-        if some45:
-            np.copyto(other46, C2)
-        if some45 != size:
-            other45 = t1 if some45 else other46
-            np.multiply(v, t, other45)
-            np.multiply(C3, other45, t2)
-            np.multiply(C4, other45, other45)
-            np.divide(other45, A, other45)
-            np.sqrt(other45, other45)
-            np.sqrt(other45, other45)
-            np.multiply(t2, other45, other45)
-            np.divide(v40, t, t2)
+        if some33 != size:
+            np.copyto(out, C0, where=~m1)
+    if some48 != size:
+        other48 = t0 if some48 else out
+        np.equal(t, C0, m1)
+        some47 = np.count_nonzero(m1)
+        if some47:
+            np.copyto(other48, C0)
+        if some47 != size:
+            other47 = t1 if some47 else other48
+            np.multiply(v, t, other47)
+            np.multiply(C3, other47, t2)
+            np.multiply(C4, other47, other47)
+            np.divide(other47, A, other47)
+            np.sqrt(other47, other47)
+            np.sqrt(other47, other47)
+            np.multiply(t2, other47, other47)
+            np.divide(v42, t, t2)
             np.add(E, t2, t2)
-            np.multiply(other45, t2, other45)
-            if some45:
-                np.copyto(other46, other45, where=~m1)
-        if some46:
-            np.copyto(out, other46, where=~m0)
+            np.multiply(other47, t2, other47)
+            if some47:
+                np.copyto(other48, other47, where=~m1)
+        if some48:
+            np.copyto(out, other48, where=~m0)
 
 
 def prepare_retract_force_kelvin_voigt_all():
     return ()
 
 
-def block_retract_force_kelvin_voigt_all(out, t, A, v, v_2, t_m, E, eta, t0, t1, t2, m0, m1, f0):
+def block_retract_force_kelvin_voigt_all(out, t, A, v, v_2, t_m, t_h, E, eta, t0, t1, t2, m0, m1, f0):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some46 = np.count_nonzero(m0)
-    if some46:
-        some17 = np.count_nonzero(m0)
-        if some17:
-            np.divide(v_2, v, t0)
-            np.subtract(t, t_m, t1)
-            np.maximum(t1, f0, out=t1)
-            np.divide(eta, E, t2)
-            np.add(t1, t2, t2)
-            np.multiply(t0, t2, t2)
-            np.subtract(t_m, t2, t2)
-            np.maximum(t2, f0, out=t0)
-        if some17 != size:
+    some48 = np.count_nonzero(m0)
+    if some48:
+        some19 = np.count_nonzero(m0)
+        if some19:
+            np.greater(t, t_h, m1)
+            some15 = np.count_nonzero(m1)
+            if some15:
+                np.divide(v_2, v, t0)
+                np.subtract(t, t_h, t1)
+                np.divide(eta, E, t2)
+                np.add(t1, t2, t2)
+                np.multiply(t0, t2, t0)
+            if some15 != size:
+                np.copyto(t0, C0, where=~m1)
+            np.subtract(t_m, t0, t0)
+            np.maximum(t0, f0, out=t0)
+        if some19 != size:
             np.copyto(t0, t, where=~m0)
-        np.greater(t0, C2, m1)
-        some31 = np.count_nonzero(m1)
-        if some31:
+        np.greater(t0, C0, m1)
+        some33 = np.count_nonzero(m1)
+        if some33:
             np.multiply(v, t0, out)
             np.multiply(C3, out, t2)
             np.multiply(C4, out, out)
@@ -585,185 +618,193 @@ def block_retract_force_kelvin_voigt_all(out, t, A, v, v_2, t_m, E, eta, t0, t1,
             np.sqrt(out, out)
             np.sqrt(out, out)
             np.multiply(t2, out, out)
-            np.multiply(C2, t0, t2)
+            np.multiply(C0, t0, t2)
             np.add(E, t2, t2)
             np.multiply(out, t2, out)
-        if some31 != size:
-            np.copyto(out, C2, where=~m1)
-    if some46 != size:
-        other46 = t0 if some46 else out
-        np.equal(t, C2, m1)
-        some45 = np.count_nonzero(m1)
-        if some45:
-            np.copyto(other46, C2)
-        if some45 != size:
-            other45 = t2 if some45 else other46
-            np.multiply(v, t, other45)
-            np.multiply(C3, other45, t1)
-            np.multiply(C4, other45, other45)
-            np.divide(other45, A, other45)
-            np.sqrt(other45, other45)
-            np.sqrt(other45, other45)
-            np.multiply(t1, other45, other45)
+        if some33 != size:
+            np.copyto(out, C0, where=~m1)
+    if some48 != size:
+        other48 = t0 if some48 else out
+        np.equal(t, C0, m1)
+        some47 = np.count_nonzero(m1)
+        if some47:
+            np.copyto(other48, C0)
+        if some47 != size:
+            other47 = t2 if some47 else other48
+            np.multiply(v, t, other47)
+            np.multiply(C3, other47, t1)
+            np.multiply(C4, other47, other47)
+            np.divide(other47, A, other47)
+            np.sqrt(other47, other47)
+            np.sqrt(other47, other47)
+            np.multiply(t1, other47, other47)
             np.multiply(eta, C5, t1)
             np.divide(t1, t, t1)
             np.add(E, t1, t1)
-            np.multiply(other45, t1, other45)
-            if some45:
-                np.copyto(other46, other45, where=~m1)
-        if some46:
-            np.copyto(out, other46, where=~m0)
+            np.multiply(other47, t1, other47)
+            if some47:
+                np.copyto(other48, other47, where=~m1)
+        if some48:
+            np.copyto(out, other48, where=~m0)
 
 
-def retract_force_maxwell(t, v, v_2, t_m, A, E, tau):
-    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is A.__class__ is E.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E > 1e-30) and (E < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+def retract_force_maxwell(t, v, v_2, t_m, t_h, A, E, tau):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is A.__class__ is E.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E > 1e-30) and (E < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
         try:
-            value = bodies._retract_force_maxwell(t, v, v_2, t_m, A, E, tau)
+            value = bodies._retract_force_maxwell(t, v, v_2, t_m, t_h, A, E, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, A, E, tau):
+            if value != value and ordinary(t, v, v_2, t_m, t_h, A, E, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass
     return None
 
 
-def retract_force_power_creep(t, v, v_2, t_m, A, E, alpha, t_0):
-    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is A.__class__ is E.__class__ is alpha.__class__ is t_0.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E > 1e-30) and (E < 1e+30) and (alpha > 1e-30) and (alpha < 1.0) and (t_0 > 1e-30) and (t_0 < 1e+30):
+def retract_force_power_creep(t, v, v_2, t_m, t_h, A, E, alpha, t_0):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is A.__class__ is E.__class__ is alpha.__class__ is t_0.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E > 1e-30) and (E < 1e+30) and (alpha > 1e-30) and (alpha < 1.0) and (t_0 > 1e-30) and (t_0 < 1e+30):
         try:
-            value = bodies._retract_force_power_creep(t, v, v_2, t_m, A, E, alpha, t_0)
+            value = bodies._retract_force_power_creep(t, v, v_2, t_m, t_h, A, E, alpha, t_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, A, E, alpha, t_0):
+            if value != value and ordinary(t, v, v_2, t_m, t_h, A, E, alpha, t_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
     return None
 
 
-def retract_force_standard_solid(t, v, v_2, t_m, A, E_inf, E_1, tau):
-    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is A.__class__ is E_inf.__class__ is E_1.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_inf > 1e-30) and (E_inf < 1e+30) and (E_1 > 1e-30) and (E_1 < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+def retract_force_standard_solid(t, v, v_2, t_m, t_h, A, E_inf, E_1, tau):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is A.__class__ is E_inf.__class__ is E_1.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_inf > 1e-30) and (E_inf < 1e+30) and (E_1 > 1e-30) and (E_1 < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
         try:
-            value = bodies._retract_force_standard_solid(t, v, v_2, t_m, A, E_inf, E_1, tau)
+            value = bodies._retract_force_standard_solid(t, v, v_2, t_m, t_h, A, E_inf, E_1, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, A, E_inf, E_1, tau):
+            if value != value and ordinary(t, v, v_2, t_m, t_h, A, E_inf, E_1, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass
     return None
 
 
-def retract_radius_kelvin_voigt(t, v, v_2, t_m, A, E, eta):
-    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is A.__class__ is E.__class__ is eta.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
+def retract_radius_kelvin_voigt(t, v, v_2, t_m, t_h, A, E, eta):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is A.__class__ is E.__class__ is eta.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
         try:
             if t > t_m:
-                v8 = t - t_m
-                v15 = t_m - v_2 / v * ((v8 if v8 > 0.0 or v8 != v8 else 0.0) + eta / E)
-                v17 = v15 if v15 > 0.0 or v15 != v15 else 0.0
+                v17 = t_m - (v_2 / v * (t - t_h + eta / E) if t > t_h else 0.0)
+                v19 = v17 if v17 > 0.0 or v17 != v17 else 0.0
             else:
-                v17 = t
-            if v17 <= 0.0:
+                v19 = t
+            if v19 <= 0.0:
                 return 0.0
-            return sqrt(sqrt(3.0 * (v * v17) / (8.0 * A)))
+            return sqrt(sqrt(3.0 * (v * v19) / (8.0 * A)))
         except (ArithmeticError, ValueError):
             pass
     return None
 
 
-def prepare_retract_radius_kelvin_voigt_t(A, v, v_2, t_m, E, eta):
-    v7 = v_2 / v
+def prepare_retract_radius_kelvin_voigt_t(A, v, v_2, t_m, t_h, E, eta):
+    v8 = v_2 / v
     v11 = eta / E
-    v23 = (8.0) * A
-    return (v, t_m, v7, v11, v23)
+    v25 = (8.0) * A
+    return (v, t_m, t_h, v8, v11, v25)
 
 
-def block_retract_radius_kelvin_voigt_t(out, t, v, t_m, v7, v11, v23, t0, t1, m0, f0):
+def block_retract_radius_kelvin_voigt_t(out, t, v, t_m, t_h, v8, v11, v25, t0, t1, m0, m1, f0):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some17 = np.count_nonzero(m0)
-    if some17:
-        np.subtract(t, t_m, t0)
-        np.maximum(t0, f0, out=t0)
-        np.add(t0, v11, t0)
-        np.multiply(v7, t0, t0)
+    some19 = np.count_nonzero(m0)
+    if some19:
+        np.greater(t, t_h, m1)
+        some15 = np.count_nonzero(m1)
+        if some15:
+            np.subtract(t, t_h, t0)
+            np.add(t0, v11, t0)
+            np.multiply(v8, t0, t0)
+        if some15 != size:
+            np.copyto(t0, C0, where=~m1)
         np.subtract(t_m, t0, t0)
         np.maximum(t0, f0, out=t0)
-    if some17 != size:
+    if some19 != size:
         np.copyto(t0, t, where=~m0)
-    np.less_equal(t0, C2, m0)
-    some27 = np.count_nonzero(m0)
-    if some27:
-        np.copyto(out, C2)
-    if some27 != size:
-        other27 = t1 if some27 else out
-        np.multiply(v, t0, other27)
-        np.multiply(C6, other27, other27)
-        np.divide(other27, v23, other27)
-        np.sqrt(other27, other27)
-        np.sqrt(other27, other27)
-        if some27:
-            np.copyto(out, other27, where=~m0)
+    np.less_equal(t0, C0, m0)
+    some29 = np.count_nonzero(m0)
+    if some29:
+        np.copyto(out, C0)
+    if some29 != size:
+        other29 = t1 if some29 else out
+        np.multiply(v, t0, other29)
+        np.multiply(C6, other29, other29)
+        np.divide(other29, v25, other29)
+        np.sqrt(other29, other29)
+        np.sqrt(other29, other29)
+        if some29:
+            np.copyto(out, other29, where=~m0)
 
 
 def prepare_retract_radius_kelvin_voigt_all():
     return ()
 
 
-def block_retract_radius_kelvin_voigt_all(out, t, A, v, v_2, t_m, E, eta, t0, t1, t2, m0, f0):
+def block_retract_radius_kelvin_voigt_all(out, t, A, v, v_2, t_m, t_h, E, eta, t0, t1, t2, m0, m1, f0):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some17 = np.count_nonzero(m0)
-    if some17:
-        np.divide(v_2, v, t0)
-        np.subtract(t, t_m, t1)
-        np.maximum(t1, f0, out=t1)
-        np.divide(eta, E, t2)
-        np.add(t1, t2, t2)
-        np.multiply(t0, t2, t2)
-        np.subtract(t_m, t2, t2)
-        np.maximum(t2, f0, out=t0)
-    if some17 != size:
+    some19 = np.count_nonzero(m0)
+    if some19:
+        np.greater(t, t_h, m1)
+        some15 = np.count_nonzero(m1)
+        if some15:
+            np.divide(v_2, v, t0)
+            np.subtract(t, t_h, t1)
+            np.divide(eta, E, t2)
+            np.add(t1, t2, t2)
+            np.multiply(t0, t2, t0)
+        if some15 != size:
+            np.copyto(t0, C0, where=~m1)
+        np.subtract(t_m, t0, t0)
+        np.maximum(t0, f0, out=t0)
+    if some19 != size:
         np.copyto(t0, t, where=~m0)
-    np.less_equal(t0, C2, m0)
-    some27 = np.count_nonzero(m0)
-    if some27:
-        np.copyto(out, C2)
-    if some27 != size:
-        other27 = t2 if some27 else out
-        np.multiply(v, t0, other27)
-        np.multiply(C6, other27, other27)
+    np.less_equal(t0, C0, m0)
+    some29 = np.count_nonzero(m0)
+    if some29:
+        np.copyto(out, C0)
+    if some29 != size:
+        other29 = t2 if some29 else out
+        np.multiply(v, t0, other29)
+        np.multiply(C6, other29, other29)
         np.multiply(C7, A, t1)
-        np.divide(other27, t1, t1)
+        np.divide(other29, t1, t1)
         np.sqrt(t1, t1)
-        np.sqrt(t1, other27)
-        if some27:
-            np.copyto(out, other27, where=~m0)
+        np.sqrt(t1, other29)
+        if some29:
+            np.copyto(out, other29, where=~m0)
 
 
-def retract_radius_maxwell(t, v, v_2, t_m, A, E, tau):
-    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is A.__class__ is E.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E > 1e-30) and (E < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+def retract_radius_maxwell(t, v, v_2, t_m, t_h, A, E, tau):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is A.__class__ is E.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E > 1e-30) and (E < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
         try:
             if t > t_m:
-                v8 = t - t_m
-                v11 = (v8 if v8 > 0.0 or v8 != v8 else 0.0) / tau
-                v15 = v_2 / v * expm1(v11 if v11 < 700.0 or v11 != v11 else 700.0)
-                v27 = t_m - (-tau * log1p(-(v15 if v15 < 0.9999999999999998 or v15 != v15 else 0.9999999999999998)) if v15 < 1.0 else inf)
-                v29 = v27 if v27 > 0.0 or v27 != v27 else 0.0
+                v9 = t - t_h
+                v12 = (v9 if v9 > 0.0 or v9 != v9 else 0.0) / tau
+                v18 = (t_h - t_m) / tau
+                v21 = v_2 / v * expm1(v12 if v12 < 700.0 or v12 != v12 else 700.0) * exp(v18 if v18 < 700.0 or v18 != v18 else 700.0)
+                v33 = t_m - (-tau * log1p(-(v21 if v21 < 0.9999999999999998 or v21 != v21 else 0.9999999999999998)) if v21 < 1.0 else inf)
+                v35 = v33 if v33 > 0.0 or v33 != v33 else 0.0
             else:
-                v29 = t
-            if v29 <= 0.0:
+                v35 = t
+            if v35 <= 0.0:
                 value = 0.0
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 return None
-            value = sqrt(sqrt(3.0 * (v * v29) / (8.0 * A)))
+            value = sqrt(sqrt(3.0 * (v * v35) / (8.0 * A)))
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             return None
@@ -772,14 +813,147 @@ def retract_radius_maxwell(t, v, v_2, t_m, A, E, tau):
     return None
 
 
-def prepare_retract_radius_maxwell_t(A, v, v_2, t_m, E, tau):
-    v6 = v_2 / v
-    v17 = np.negative(tau)
+def prepare_retract_radius_maxwell_t(A, v, v_2, t_m, t_h, E, tau):
+    v7 = v_2 / v
+    v16 = t_h - t_m
+    v17 = v16 / tau
+    v18 = np.minimum(v17, (700.0))
+    v19 = np.exp(v18)
+    v23 = np.negative(tau)
+    v40 = (8.0) * A
+    return (v, t_m, t_h, tau, v7, v19, v23, v40)
+
+
+def block_retract_radius_maxwell_t(out, t, v, t_m, t_h, tau, v7, v19, v23, v40, t0, t1, m0, m1, f0, f1, f2):
+    size = out.size
+    np.greater(t, t_m, m0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    some34 = np.count_nonzero(m0)
+    if some34:
+        np.subtract(t, t_h, t0)
+        np.maximum(t0, f0, out=t0)
+        np.divide(t0, tau, t0)
+        np.minimum(t0, f1, out=t0)
+        np.expm1(t0, t0)
+        np.multiply(v7, t0, t0)
+        np.multiply(t0, v19, t0)
+        np.less(t0, C1, m1)
+        some30 = np.count_nonzero(m1)
+        if some30:
+            np.minimum(t0, f2, out=t1)
+            np.negative(t1, t1)
+            np.log1p(t1, t1)
+            np.multiply(v23, t1, t1)
+        if some30 != size:
+            np.copyto(t1, C2, where=~m1)
+        np.subtract(t_m, t1, t1)
+        np.maximum(t1, f0, out=t0)
+    if some34 != size:
+        np.copyto(t0, t, where=~m0)
+    np.less_equal(t0, C0, m0)
+    some44 = np.count_nonzero(m0)
+    if some44:
+        np.copyto(out, C0)
+    if some44 != size:
+        other44 = t1 if some44 else out
+        np.multiply(v, t0, other44)
+        np.multiply(C6, other44, other44)
+        np.divide(other44, v40, other44)
+        np.sqrt(other44, other44)
+        np.sqrt(other44, other44)
+        if some44:
+            np.copyto(out, other44, where=~m0)
+
+
+def prepare_retract_radius_maxwell_all():
+    return ()
+
+
+def block_retract_radius_maxwell_all(out, t, A, v, v_2, t_m, t_h, E, tau, t0, t1, t2, m0, m1, f0, f1, f2):
+    size = out.size
+    np.greater(t, t_m, m0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    some34 = np.count_nonzero(m0)
+    if some34:
+        np.divide(v_2, v, t0)
+        np.subtract(t, t_h, t1)
+        np.maximum(t1, f0, out=t1)
+        np.divide(t1, tau, t1)
+        np.minimum(t1, f1, out=t1)
+        np.expm1(t1, t1)
+        np.multiply(t0, t1, t1)
+        np.subtract(t_h, t_m, t0)
+        np.divide(t0, tau, t0)
+        np.minimum(t0, f1, out=t0)
+        np.exp(t0, t0)
+        np.multiply(t1, t0, t0)
+        np.less(t0, C1, m1)
+        some30 = np.count_nonzero(m1)
+        if some30:
+            np.negative(tau, t1)
+            np.minimum(t0, f2, out=t2)
+            np.negative(t2, t2)
+            np.log1p(t2, t2)
+            np.multiply(t1, t2, t1)
+        if some30 != size:
+            np.copyto(t1, C2, where=~m1)
+        np.subtract(t_m, t1, t1)
+        np.maximum(t1, f0, out=t0)
+    if some34 != size:
+        np.copyto(t0, t, where=~m0)
+    np.less_equal(t0, C0, m0)
+    some44 = np.count_nonzero(m0)
+    if some44:
+        np.copyto(out, C0)
+    if some44 != size:
+        other44 = t1 if some44 else out
+        np.multiply(v, t0, other44)
+        np.multiply(C6, other44, other44)
+        np.multiply(C7, A, t2)
+        np.divide(other44, t2, t2)
+        np.sqrt(t2, t2)
+        np.sqrt(t2, other44)
+        if some44:
+            np.copyto(out, other44, where=~m0)
+
+
+def retract_radius_power_creep(t, v, v_2, t_m, t_h, A, E, alpha, t_0):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is A.__class__ is E.__class__ is alpha.__class__ is t_0.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E > 1e-30) and (E < 1e+30) and (alpha > 1e-30) and (alpha < 1.0) and (t_0 > 1e-30) and (t_0 < 1e+30):
+        try:
+            if t > t_m:
+                v12 = t - t_m
+                v17 = 1.0 - alpha
+                v22 = log1p(v_2 / v * pow((t - t_h) / v12 if t > t_h else 0.0, v17)) / v17
+                v28 = t_m - (v12 if v12 > 0.0 or v12 != v12 else 0.0) * expm1(v22 if v22 < 700.0 or v22 != v22 else 700.0)
+                v30 = v28 if v28 > 0.0 or v28 != v28 else 0.0
+            else:
+                v30 = t
+            if v30 <= 0.0:
+                value = 0.0
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            value = sqrt(sqrt(3.0 * (v * v30) / (8.0 * A)))
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_retract_radius_power_creep_t(A, v, v_2, t_m, t_h, E, alpha, t_0):
+    v7 = v_2 / v
+    v15 = (1.0) - alpha
     v34 = (8.0) * A
-    return (v, t_m, tau, v6, v17, v34)
+    return (v, t_m, t_h, v7, v15, v34)
 
 
-def block_retract_radius_maxwell_t(out, t, v, t_m, tau, v6, v17, v34, t0, t1, m0, m1, f0, f1, f2):
+def block_retract_radius_power_creep_t(out, t, v, t_m, t_h, v7, v15, v34, t0, t1, m0, m1, f0, f1):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
@@ -787,29 +961,30 @@ def block_retract_radius_maxwell_t(out, t, v, t_m, tau, v6, v17, v34, t0, t1, m0
         raise FloatingPointError
     some28 = np.count_nonzero(m0)
     if some28:
+        np.greater(t, t_h, m1)
         np.subtract(t, t_m, t0)
+        some13 = np.count_nonzero(m1)
+        if some13:
+            np.subtract(t, t_h, t1)
+            np.divide(t1, t0, t1)
+        if some13 != size:
+            np.copyto(t1, C0, where=~m1)
         np.maximum(t0, f0, out=t0)
-        np.divide(t0, tau, t0)
-        np.minimum(t0, f1, out=t0)
-        np.expm1(t0, t0)
-        np.multiply(v6, t0, t0)
-        np.less(t0, C0, m1)
-        some24 = np.count_nonzero(m1)
-        if some24:
-            np.minimum(t0, f2, out=t1)
-            np.negative(t1, t1)
-            np.log1p(t1, t1)
-            np.multiply(v17, t1, t1)
-        if some24 != size:
-            np.copyto(t1, C1, where=~m1)
+        np.power(t1, v15, t1)
+        np.multiply(v7, t1, t1)
+        np.log1p(t1, t1)
+        np.divide(t1, v15, t1)
+        np.minimum(t1, f1, out=t1)
+        np.expm1(t1, t1)
+        np.multiply(t0, t1, t1)
         np.subtract(t_m, t1, t1)
         np.maximum(t1, f0, out=t0)
     if some28 != size:
         np.copyto(t0, t, where=~m0)
-    np.less_equal(t0, C2, m0)
+    np.less_equal(t0, C0, m0)
     some38 = np.count_nonzero(m0)
     if some38:
-        np.copyto(out, C2)
+        np.copyto(out, C0)
     if some38 != size:
         other38 = t1 if some38 else out
         np.multiply(v, t0, other38)
@@ -821,11 +996,11 @@ def block_retract_radius_maxwell_t(out, t, v, t_m, tau, v6, v17, v34, t0, t1, m0
             np.copyto(out, other38, where=~m0)
 
 
-def prepare_retract_radius_maxwell_all():
+def prepare_retract_radius_power_creep_all():
     return ()
 
 
-def block_retract_radius_maxwell_all(out, t, A, v, v_2, t_m, E, tau, t0, t1, t2, m0, m1, f0, f1, f2):
+def block_retract_radius_power_creep_all(out, t, A, v, v_2, t_m, t_h, E, alpha, t_0, t0, t1, t2, t3, m0, m1, f0, f1):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
@@ -834,155 +1009,50 @@ def block_retract_radius_maxwell_all(out, t, A, v, v_2, t_m, E, tau, t0, t1, t2,
     some28 = np.count_nonzero(m0)
     if some28:
         np.divide(v_2, v, t0)
+        np.greater(t, t_h, m1)
         np.subtract(t, t_m, t1)
+        some13 = np.count_nonzero(m1)
+        if some13:
+            np.subtract(t, t_h, t2)
+            np.divide(t2, t1, t2)
+        if some13 != size:
+            np.copyto(t2, C0, where=~m1)
+        np.subtract(C1, alpha, t3)
         np.maximum(t1, f0, out=t1)
-        np.divide(t1, tau, t1)
-        np.minimum(t1, f1, out=t1)
-        np.expm1(t1, t1)
-        np.multiply(t0, t1, t1)
-        np.less(t1, C0, m1)
-        some24 = np.count_nonzero(m1)
-        if some24:
-            np.negative(tau, t0)
-            np.minimum(t1, f2, out=t2)
-            np.negative(t2, t2)
-            np.log1p(t2, t2)
-            np.multiply(t0, t2, t0)
-        if some24 != size:
-            np.copyto(t0, C1, where=~m1)
-        np.subtract(t_m, t0, t0)
-        np.maximum(t0, f0, out=t0)
+        np.power(t2, t3, t2)
+        np.multiply(t0, t2, t2)
+        np.log1p(t2, t2)
+        np.divide(t2, t3, t3)
+        np.minimum(t3, f1, out=t3)
+        np.expm1(t3, t3)
+        np.multiply(t1, t3, t3)
+        np.subtract(t_m, t3, t3)
+        np.maximum(t3, f0, out=t0)
     if some28 != size:
         np.copyto(t0, t, where=~m0)
-    np.less_equal(t0, C2, m0)
+    np.less_equal(t0, C0, m0)
     some38 = np.count_nonzero(m0)
     if some38:
-        np.copyto(out, C2)
+        np.copyto(out, C0)
     if some38 != size:
-        other38 = t1 if some38 else out
+        other38 = t3 if some38 else out
         np.multiply(v, t0, other38)
         np.multiply(C6, other38, other38)
-        np.multiply(C7, A, t2)
-        np.divide(other38, t2, t2)
-        np.sqrt(t2, t2)
-        np.sqrt(t2, other38)
+        np.multiply(C7, A, t1)
+        np.divide(other38, t1, t1)
+        np.sqrt(t1, t1)
+        np.sqrt(t1, other38)
         if some38:
             np.copyto(out, other38, where=~m0)
 
 
-def retract_radius_power_creep(t, v, v_2, t_m, A, E, alpha, t_0):
-    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is A.__class__ is E.__class__ is alpha.__class__ is t_0.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E > 1e-30) and (E < 1e+30) and (alpha > 1e-30) and (alpha < 1.0) and (t_0 > 1e-30) and (t_0 < 1e+30):
+def retract_radius_standard_solid(t, v, v_2, t_m, t_h, A, E_inf, E_1, tau):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is A.__class__ is E_inf.__class__ is E_1.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_inf > 1e-30) and (E_inf < 1e+30) and (E_1 > 1e-30) and (E_1 < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
         try:
-            if t > t_m:
-                v9 = t - t_m
-                v15 = log1p(v_2 / v) / (1.0 - alpha)
-                v21 = t_m - (v9 if v9 > 0.0 or v9 != v9 else 0.0) * expm1(v15 if v15 < 700.0 or v15 != v15 else 700.0)
-                v23 = v21 if v21 > 0.0 or v21 != v21 else 0.0
-            else:
-                v23 = t
-            if v23 <= 0.0:
-                value = 0.0
-                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
-                    return value
-                return None
-            value = sqrt(sqrt(3.0 * (v * v23) / (8.0 * A)))
+            value = bodies._retract_radius_standard_solid(t, v, v_2, t_m, t_h, A, E_inf, E_1, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            return None
-        except (ArithmeticError, ValueError):
-            pass
-    return None
-
-
-def prepare_retract_radius_power_creep_t(A, v, v_2, t_m, E, alpha, t_0):
-    v6 = v_2 / v
-    v10 = np.log1p(v6)
-    v12 = (1.0) - alpha
-    v13 = v10 / v12
-    v15 = np.minimum(v13, (700.0))
-    v16 = np.expm1(v15)
-    v27 = (8.0) * A
-    return (v, t_m, v16, v27)
-
-
-def block_retract_radius_power_creep_t(out, t, v, t_m, v16, v27, t0, t1, m0, f0):
-    size = out.size
-    np.greater(t, t_m, m0)
-    largest_t = largest(t)
-    if largest_t == np.inf:
-        raise FloatingPointError
-    some21 = np.count_nonzero(m0)
-    if some21:
-        np.subtract(t, t_m, t0)
-        np.maximum(t0, f0, out=t0)
-        np.multiply(t0, v16, t0)
-        np.subtract(t_m, t0, t0)
-        np.maximum(t0, f0, out=t0)
-    if some21 != size:
-        np.copyto(t0, t, where=~m0)
-    np.less_equal(t0, C2, m0)
-    some31 = np.count_nonzero(m0)
-    if some31:
-        np.copyto(out, C2)
-    if some31 != size:
-        other31 = t1 if some31 else out
-        np.multiply(v, t0, other31)
-        np.multiply(C6, other31, other31)
-        np.divide(other31, v27, other31)
-        np.sqrt(other31, other31)
-        np.sqrt(other31, other31)
-        if some31:
-            np.copyto(out, other31, where=~m0)
-
-
-def prepare_retract_radius_power_creep_all():
-    return ()
-
-
-def block_retract_radius_power_creep_all(out, t, A, v, v_2, t_m, E, alpha, t_0, t0, t1, t2, m0, f0, f1):
-    size = out.size
-    np.greater(t, t_m, m0)
-    largest_t = largest(t)
-    if largest_t == np.inf:
-        raise FloatingPointError
-    some21 = np.count_nonzero(m0)
-    if some21:
-        np.divide(v_2, v, t0)
-        np.subtract(t, t_m, t1)
-        np.maximum(t1, f0, out=t1)
-        np.log1p(t0, t0)
-        np.subtract(C0, alpha, t2)
-        np.divide(t0, t2, t2)
-        np.minimum(t2, f1, out=t2)
-        np.expm1(t2, t2)
-        np.multiply(t1, t2, t2)
-        np.subtract(t_m, t2, t2)
-        np.maximum(t2, f0, out=t0)
-    if some21 != size:
-        np.copyto(t0, t, where=~m0)
-    np.less_equal(t0, C2, m0)
-    some31 = np.count_nonzero(m0)
-    if some31:
-        np.copyto(out, C2)
-    if some31 != size:
-        other31 = t2 if some31 else out
-        np.multiply(v, t0, other31)
-        np.multiply(C6, other31, other31)
-        np.multiply(C7, A, t1)
-        np.divide(other31, t1, t1)
-        np.sqrt(t1, t1)
-        np.sqrt(t1, other31)
-        if some31:
-            np.copyto(out, other31, where=~m0)
-
-
-def retract_radius_standard_solid(t, v, v_2, t_m, A, E_inf, E_1, tau):
-    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is A.__class__ is E_inf.__class__ is E_1.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_inf > 1e-30) and (E_inf < 1e+30) and (E_1 > 1e-30) and (E_1 < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
-        try:
-            value = bodies._retract_radius_standard_solid(t, v, v_2, t_m, A, E_inf, E_1, tau)
-            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
-                return value
-            if value != value and ordinary(t, v, v_2, t_m, A, E_inf, E_1, tau):
+            if value != value and ordinary(t, v, v_2, t_m, t_h, A, E_inf, E_1, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -1013,7 +1083,7 @@ def prepare_step_force_kelvin_voigt_t(d, A, E, eta):
 
 def block_step_force_kelvin_voigt_t(out, t, E, v15, m0):
     size = out.size
-    np.greater(t, C2, m0)
+    np.greater(t, C0, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
@@ -1021,7 +1091,7 @@ def block_step_force_kelvin_voigt_t(out, t, E, v15, m0):
     if some7:
         np.copyto(out, E)
     if some7 != size:
-        np.copyto(out, C1, where=~m0)
+        np.copyto(out, C2, where=~m0)
     np.multiply(out, v15, out)
 
 
@@ -1031,7 +1101,7 @@ def prepare_step_force_kelvin_voigt_all():
 
 def block_step_force_kelvin_voigt_all(out, t, d, A, E, eta, t0, t1, m0):
     size = out.size
-    np.greater(t, C2, m0)
+    np.greater(t, C0, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
@@ -1039,7 +1109,7 @@ def block_step_force_kelvin_voigt_all(out, t, d, A, E, eta, t0, t1, m0):
     if some7:
         np.copyto(out, E)
     if some7 != size:
-        np.copyto(out, C1, where=~m0)
+        np.copyto(out, C2, where=~m0)
     np.multiply(C3, d, t0)
     np.multiply(C4, d, t1)
     np.divide(t1, A, t1)
@@ -1259,16 +1329,16 @@ def block_step_load_radius_kelvin_voigt_t(out, t, F, E, eta, v5, v15, t0, t1, t2
     np.multiply(C9, t0, t0)
     np.divide(t0, v15, t0)
     np.power(t0, C10, t1)
-    np.greater(t0, C2, m0)
-    np.less(t0, C1, m1)
+    np.greater(t0, C0, m0)
+    np.less(t0, C2, m1)
     np.bitwise_and(m0, m1, m1)
     some34 = np.count_nonzero(m1)
     if some34:
         np.power(t1, C11, out)
-        np.power(t1, C2, t2)
+        np.power(t1, C0, t2)
         np.multiply(out, t2, t2)
         np.divide(t0, t2, t2)
-        np.subtract(t2, C0, t2)
+        np.subtract(t2, C1, t2)
         np.divide(t2, C11, t2)
         np.multiply(t1, t2, t2)
         np.add(t1, t2, out)
@@ -1296,16 +1366,16 @@ def block_step_load_radius_kelvin_voigt_all(out, t, F, A, E, eta, t0, t1, t2, m0
     np.multiply(C12, A, t1)
     np.divide(t0, t1, t1)
     np.power(t1, C10, t0)
-    np.greater(t1, C2, m0)
-    np.less(t1, C1, m1)
+    np.greater(t1, C0, m0)
+    np.less(t1, C2, m1)
     np.bitwise_and(m0, m1, m1)
     some34 = np.count_nonzero(m1)
     if some34:
         np.power(t0, C11, out)
-        np.power(t0, C2, t2)
+        np.power(t0, C0, t2)
         np.multiply(out, t2, t2)
         np.divide(t1, t2, t2)
-        np.subtract(t2, C0, t2)
+        np.subtract(t2, C1, t2)
         np.divide(t2, C11, t2)
         np.multiply(t0, t2, t2)
         np.add(t0, t2, out)
@@ -1340,22 +1410,22 @@ def block_step_load_radius_maxwell_t(out, t, F, E, tau, v13, t0, t1, t2, m0, m1)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    np.add(C0, t0, t0)
+    np.add(C1, t0, t0)
     np.divide(t0, E, t0)
     np.multiply(F, t0, t0)
     np.multiply(C9, t0, t0)
     np.divide(t0, v13, t0)
     np.power(t0, C10, t1)
-    np.greater(t0, C2, m0)
-    np.less(t0, C1, m1)
+    np.greater(t0, C0, m0)
+    np.less(t0, C2, m1)
     np.bitwise_and(m0, m1, m1)
     some31 = np.count_nonzero(m1)
     if some31:
         np.power(t1, C11, out)
-        np.power(t1, C2, t2)
+        np.power(t1, C0, t2)
         np.multiply(out, t2, t2)
         np.divide(t0, t2, t2)
-        np.subtract(t2, C0, t2)
+        np.subtract(t2, C1, t2)
         np.divide(t2, C11, t2)
         np.multiply(t1, t2, t2)
         np.add(t1, t2, out)
@@ -1373,23 +1443,23 @@ def block_step_load_radius_maxwell_all(out, t, F, A, E, tau, t0, t1, t2, m0, m1)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    np.add(C0, t0, t0)
+    np.add(C1, t0, t0)
     np.divide(t0, E, t0)
     np.multiply(F, t0, t0)
     np.multiply(C9, t0, t0)
     np.multiply(C12, A, t1)
     np.divide(t0, t1, t1)
     np.power(t1, C10, t0)
-    np.greater(t1, C2, m0)
-    np.less(t1, C1, m1)
+    np.greater(t1, C0, m0)
+    np.less(t1, C2, m1)
     np.bitwise_and(m0, m1, m1)
     some31 = np.count_nonzero(m1)
     if some31:
         np.power(t0, C11, out)
-        np.power(t0, C2, t2)
+        np.power(t0, C0, t2)
         np.multiply(out, t2, t2)
         np.divide(t1, t2, t2)
-        np.subtract(t2, C0, t2)
+        np.subtract(t2, C1, t2)
         np.divide(t2, C11, t2)
         np.multiply(t0, t2, t2)
         np.add(t0, t2, out)
@@ -1433,16 +1503,16 @@ def block_step_load_radius_power_creep_t(out, t, F, E, alpha, t_0, v13, t0, t1, 
     np.multiply(C9, t0, t0)
     np.divide(t0, v13, t0)
     np.power(t0, C10, t1)
-    np.greater(t0, C2, m0)
-    np.less(t0, C1, m1)
+    np.greater(t0, C0, m0)
+    np.less(t0, C2, m1)
     np.bitwise_and(m0, m1, m1)
     some32 = np.count_nonzero(m1)
     if some32:
         np.power(t1, C11, out)
-        np.power(t1, C2, t2)
+        np.power(t1, C0, t2)
         np.multiply(out, t2, t2)
         np.divide(t0, t2, t2)
-        np.subtract(t2, C0, t2)
+        np.subtract(t2, C1, t2)
         np.divide(t2, C11, t2)
         np.multiply(t1, t2, t2)
         np.add(t1, t2, out)
@@ -1467,16 +1537,16 @@ def block_step_load_radius_power_creep_all(out, t, F, A, E, alpha, t_0, t0, t1, 
     np.multiply(C12, A, t1)
     np.divide(t0, t1, t1)
     np.power(t1, C10, t0)
-    np.greater(t1, C2, m0)
-    np.less(t1, C1, m1)
+    np.greater(t1, C0, m0)
+    np.less(t1, C2, m1)
     np.bitwise_and(m0, m1, m1)
     some32 = np.count_nonzero(m1)
     if some32:
         np.power(t0, C11, out)
-        np.power(t0, C2, t2)
+        np.power(t0, C0, t2)
         np.multiply(out, t2, t2)
         np.divide(t1, t2, t2)
-        np.subtract(t2, C0, t2)
+        np.subtract(t2, C1, t2)
         np.divide(t2, C11, t2)
         np.multiply(t0, t2, t2)
         np.add(t0, t2, out)
@@ -1529,16 +1599,16 @@ def block_step_load_radius_standard_solid_t(out, t, F, E_inf, tau, v8, v11, v12,
     np.multiply(C9, t0, t0)
     np.divide(t0, v22, t0)
     np.power(t0, C10, t1)
-    np.greater(t0, C2, m0)
-    np.less(t0, C1, m1)
+    np.greater(t0, C0, m0)
+    np.less(t0, C2, m1)
     np.bitwise_and(m0, m1, m1)
     some40 = np.count_nonzero(m1)
     if some40:
         np.power(t1, C11, out)
-        np.power(t1, C2, t2)
+        np.power(t1, C0, t2)
         np.multiply(out, t2, t2)
         np.divide(t0, t2, t2)
-        np.subtract(t2, C0, t2)
+        np.subtract(t2, C1, t2)
         np.divide(t2, C11, t2)
         np.multiply(t1, t2, t2)
         np.add(t1, t2, out)
@@ -1559,7 +1629,7 @@ def block_step_load_radius_standard_solid_all(out, t, F, A, E_inf, E_1, tau, t0,
     np.divide(t, tau, t1)
     np.divide(E_inf, t0, t2)
     np.multiply(t1, t2, t2)
-    np.divide(C0, t0, t1)
+    np.divide(C1, t0, t1)
     np.divide(E_1, t0, t0)
     np.negative(t2, t2)
     np.expm1(t2, t2)
@@ -1571,16 +1641,16 @@ def block_step_load_radius_standard_solid_all(out, t, F, A, E_inf, E_1, tau, t0,
     np.multiply(C12, A, t1)
     np.divide(t2, t1, t1)
     np.power(t1, C10, t2)
-    np.greater(t1, C2, m0)
-    np.less(t1, C1, m1)
+    np.greater(t1, C0, m0)
+    np.less(t1, C2, m1)
     np.bitwise_and(m0, m1, m1)
     some40 = np.count_nonzero(m1)
     if some40:
         np.power(t2, C11, out)
-        np.power(t2, C2, t0)
+        np.power(t2, C0, t0)
         np.multiply(out, t0, t0)
         np.divide(t1, t0, t0)
-        np.subtract(t0, C0, t0)
+        np.subtract(t0, C1, t0)
         np.divide(t0, C11, t0)
         np.multiply(t2, t0, t0)
         np.add(t2, t0, out)
@@ -1589,46 +1659,43 @@ def block_step_load_radius_standard_solid_all(out, t, F, A, E_inf, E_1, tau, t0,
 
 
 BLOCKS = {
-    ('_contact_time_kelvin_voigt', 0, 'v', 'v_2', 't_m', 'E', 'eta'): {
-        ('v', 'v_2', 't_m', 'E', 'eta'): (('v', 'v_2', 't_m', 'E', 'eta'), prepare_contact_time_kelvin_voigt_all_signed, block_contact_time_kelvin_voigt_all_signed, 1, 0, (0.0,), False),
+    ('_contact_time_kelvin_voigt', 0, 'v', 'v_2', 't_m', 't_h', 'E', 'eta'): {
+        ('v', 'v_2', 't_m', 't_h', 'E', 'eta'): (('v', 'v_2', 't_m', 't_h', 'E', 'eta'), prepare_contact_time_kelvin_voigt_all_signed, block_contact_time_kelvin_voigt_all_signed, 1, 0, (0.0,), False),
     },
-    ('_contact_time_maxwell', 0, 'v', 'v_2', 't_m', 'E', 'tau'): {
-        ('v', 'v_2', 't_m', 'E', 'tau'): (('v', 'v_2', 't_m', 'E', 'tau'), prepare_contact_time_maxwell_all_signed, block_contact_time_maxwell_all_signed, 1, 0, (), False),
+    ('_contact_time_maxwell', 0, 'v', 'v_2', 't_m', 't_h', 'E', 'tau'): {
+        ('v', 'v_2', 't_m', 't_h', 'E', 'tau'): (('v', 'v_2', 't_m', 't_h', 'E', 'tau'), prepare_contact_time_maxwell_all_signed, block_contact_time_maxwell_all_signed, 2, 0, (), False),
     },
-    ('_contact_time_power_creep', 0, 'v', 'v_2', 't_m', 'E', 'alpha', 't_0'): {
-        ('v', 'v_2', 't_m', 'E', 'alpha', 't_0'): (('v', 'v_2', 't_m', 'E', 'alpha', 't_0'), prepare_contact_time_power_creep_all_signed, block_contact_time_power_creep_all_signed, 1, 0, (700.0,), False),
+    ('_earlier_time_kelvin_voigt', 1, 't', 'v', 'v_2', 't_m', 't_h', 'E', 'eta'): {
+        ('t',): (('t',), prepare_earlier_time_kelvin_voigt_t, block_earlier_time_kelvin_voigt_t, 0, 2, (0.0,), False),
+        ('t', 'v', 'v_2', 't_m', 't_h', 'E', 'eta'): (('t', 'v', 'v_2', 't_m', 't_h', 'E', 'eta'), prepare_earlier_time_kelvin_voigt_all, block_earlier_time_kelvin_voigt_all, 2, 2, (0.0,), False),
     },
-    ('_earlier_time_kelvin_voigt', 1, 't', 'v', 'v_2', 't_m', 'E', 'eta'): {
-        ('t',): (('t',), prepare_earlier_time_kelvin_voigt_t, block_earlier_time_kelvin_voigt_t, 0, 1, (0.0,), False),
-        ('t', 'v', 'v_2', 't_m', 'E', 'eta'): (('t', 'v', 'v_2', 't_m', 'E', 'eta'), prepare_earlier_time_kelvin_voigt_all, block_earlier_time_kelvin_voigt_all, 2, 1, (0.0,), False),
-    },
-    ('_earlier_time_maxwell', 1, 't', 'v', 'v_2', 't_m', 'E', 'tau'): {
+    ('_earlier_time_maxwell', 1, 't', 'v', 'v_2', 't_m', 't_h', 'E', 'tau'): {
         ('t',): (('t',), prepare_earlier_time_maxwell_t, block_earlier_time_maxwell_t, 1, 2, (0.0, 700.0, 0.9999999999999998), False),
-        ('t', 'v', 'v_2', 't_m', 'E', 'tau'): (('t', 'v', 'v_2', 't_m', 'E', 'tau'), prepare_earlier_time_maxwell_all, block_earlier_time_maxwell_all, 2, 2, (0.0, 700.0, 0.9999999999999998), False),
+        ('t', 'v', 'v_2', 't_m', 't_h', 'E', 'tau'): (('t', 'v', 'v_2', 't_m', 't_h', 'E', 'tau'), prepare_earlier_time_maxwell_all, block_earlier_time_maxwell_all, 2, 2, (0.0, 700.0, 0.9999999999999998), False),
     },
-    ('_earlier_time_power_creep', 1, 't', 'v', 'v_2', 't_m', 'E', 'alpha', 't_0'): {
-        ('t',): (('t',), prepare_earlier_time_power_creep_t, block_earlier_time_power_creep_t, 0, 1, (0.0,), False),
-        ('t', 'v', 'v_2', 't_m', 'E', 'alpha', 't_0'): (('t', 'v', 'v_2', 't_m', 'E', 'alpha', 't_0'), prepare_earlier_time_power_creep_all, block_earlier_time_power_creep_all, 2, 1, (0.0, 700.0), False),
+    ('_earlier_time_power_creep', 1, 't', 'v', 'v_2', 't_m', 't_h', 'E', 'alpha', 't_0'): {
+        ('t',): (('t',), prepare_earlier_time_power_creep_t, block_earlier_time_power_creep_t, 1, 2, (0.0, 700.0), False),
+        ('t', 'v', 'v_2', 't_m', 't_h', 'E', 'alpha', 't_0'): (('t', 'v', 'v_2', 't_m', 't_h', 'E', 'alpha', 't_0'), prepare_earlier_time_power_creep_all, block_earlier_time_power_creep_all, 3, 2, (0.0, 700.0), False),
     },
     ('_ramp_force_kelvin_voigt', 1, 't', 'A', 'v', 'E', 'eta'): {
         ('t',): (('t',), prepare_ramp_force_kelvin_voigt_t, block_ramp_force_kelvin_voigt_t, 2, 1, (), False),
         ('t', 'A', 'v', 'E', 'eta'): (('t', 'A', 'v', 'E', 'eta'), prepare_ramp_force_kelvin_voigt_all, block_ramp_force_kelvin_voigt_all, 2, 1, (), False),
     },
-    ('_retract_force_kelvin_voigt', 1, 't', 'A', 'v', 'v_2', 't_m', 'E', 'eta'): {
+    ('_retract_force_kelvin_voigt', 1, 't', 'A', 'v', 'v_2', 't_m', 't_h', 'E', 'eta'): {
         ('t',): (('t',), prepare_retract_force_kelvin_voigt_t, block_retract_force_kelvin_voigt_t, 3, 2, (0.0,), False),
-        ('t', 'A', 'v', 'v_2', 't_m', 'E', 'eta'): (('t', 'A', 'v', 'v_2', 't_m', 'E', 'eta'), prepare_retract_force_kelvin_voigt_all, block_retract_force_kelvin_voigt_all, 3, 2, (0.0,), False),
+        ('t', 'A', 'v', 'v_2', 't_m', 't_h', 'E', 'eta'): (('t', 'A', 'v', 'v_2', 't_m', 't_h', 'E', 'eta'), prepare_retract_force_kelvin_voigt_all, block_retract_force_kelvin_voigt_all, 3, 2, (0.0,), False),
     },
-    ('_retract_radius_kelvin_voigt', 1, 't', 'A', 'v', 'v_2', 't_m', 'E', 'eta'): {
-        ('t',): (('t',), prepare_retract_radius_kelvin_voigt_t, block_retract_radius_kelvin_voigt_t, 2, 1, (0.0,), False),
-        ('t', 'A', 'v', 'v_2', 't_m', 'E', 'eta'): (('t', 'A', 'v', 'v_2', 't_m', 'E', 'eta'), prepare_retract_radius_kelvin_voigt_all, block_retract_radius_kelvin_voigt_all, 3, 1, (0.0,), False),
+    ('_retract_radius_kelvin_voigt', 1, 't', 'A', 'v', 'v_2', 't_m', 't_h', 'E', 'eta'): {
+        ('t',): (('t',), prepare_retract_radius_kelvin_voigt_t, block_retract_radius_kelvin_voigt_t, 2, 2, (0.0,), False),
+        ('t', 'A', 'v', 'v_2', 't_m', 't_h', 'E', 'eta'): (('t', 'A', 'v', 'v_2', 't_m', 't_h', 'E', 'eta'), prepare_retract_radius_kelvin_voigt_all, block_retract_radius_kelvin_voigt_all, 3, 2, (0.0,), False),
     },
-    ('_retract_radius_maxwell', 1, 't', 'A', 'v', 'v_2', 't_m', 'E', 'tau'): {
+    ('_retract_radius_maxwell', 1, 't', 'A', 'v', 'v_2', 't_m', 't_h', 'E', 'tau'): {
         ('t',): (('t',), prepare_retract_radius_maxwell_t, block_retract_radius_maxwell_t, 2, 2, (0.0, 700.0, 0.9999999999999998), False),
-        ('t', 'A', 'v', 'v_2', 't_m', 'E', 'tau'): (('t', 'A', 'v', 'v_2', 't_m', 'E', 'tau'), prepare_retract_radius_maxwell_all, block_retract_radius_maxwell_all, 3, 2, (0.0, 700.0, 0.9999999999999998), False),
+        ('t', 'A', 'v', 'v_2', 't_m', 't_h', 'E', 'tau'): (('t', 'A', 'v', 'v_2', 't_m', 't_h', 'E', 'tau'), prepare_retract_radius_maxwell_all, block_retract_radius_maxwell_all, 3, 2, (0.0, 700.0, 0.9999999999999998), False),
     },
-    ('_retract_radius_power_creep', 1, 't', 'A', 'v', 'v_2', 't_m', 'E', 'alpha', 't_0'): {
-        ('t',): (('t',), prepare_retract_radius_power_creep_t, block_retract_radius_power_creep_t, 2, 1, (0.0,), False),
-        ('t', 'A', 'v', 'v_2', 't_m', 'E', 'alpha', 't_0'): (('t', 'A', 'v', 'v_2', 't_m', 'E', 'alpha', 't_0'), prepare_retract_radius_power_creep_all, block_retract_radius_power_creep_all, 3, 1, (0.0, 700.0), False),
+    ('_retract_radius_power_creep', 1, 't', 'A', 'v', 'v_2', 't_m', 't_h', 'E', 'alpha', 't_0'): {
+        ('t',): (('t',), prepare_retract_radius_power_creep_t, block_retract_radius_power_creep_t, 2, 2, (0.0, 700.0), False),
+        ('t', 'A', 'v', 'v_2', 't_m', 't_h', 'E', 'alpha', 't_0'): (('t', 'A', 'v', 'v_2', 't_m', 't_h', 'E', 'alpha', 't_0'), prepare_retract_radius_power_creep_all, block_retract_radius_power_creep_all, 4, 2, (0.0, 700.0), False),
     },
     ('_step_force_kelvin_voigt', 1, 't', 'd', 'A', 'E', 'eta'): {
         ('t',): (('t',), prepare_step_force_kelvin_voigt_t, block_step_force_kelvin_voigt_t, 0, 1, (), False),

@@ -9,9 +9,9 @@ import numpy as np
 from ..._runtime.interface import largest, ordinary
 from ..._programs.bodies.viscoelastic import sextic as bodies
 
-C0 = np.array(1.0)
-C1 = np.array(np.inf)
-C2 = np.array(0.0)
+C0 = np.array(0.0)
+C1 = np.array(1.0)
+C2 = np.array(np.inf)
 C3 = np.array(0.8571428571428571)
 C4 = np.array(20.0)
 C5 = np.array(0.16666666666666666)
@@ -26,11 +26,11 @@ C13 = np.array(7.0)
 C14 = np.array(192.0)
 
 
-def contact_time_kelvin_voigt(v, v_2, t_m, E, eta):
-    if v.__class__ is v_2.__class__ is t_m.__class__ is E.__class__ is eta.__class__ is float and v > 1e-30 and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
+def contact_time_kelvin_voigt(v, v_2, t_m, t_h, E, eta):
+    if v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is E.__class__ is eta.__class__ is float and v > 1e-30 and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
         try:
-            v8 = t_m / (v_2 / v) - eta / E
-            return t_m + (v8 if v8 > 0.0 or v8 != v8 else 0.0)
+            v9 = t_m / (v_2 / v) - eta / E
+            return t_h + (v9 if v9 > 0.0 or v9 != v9 else 0.0)
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -40,19 +40,19 @@ def prepare_contact_time_kelvin_voigt_all_signed():
     return ()
 
 
-def block_contact_time_kelvin_voigt_all_signed(out, v, v_2, t_m, E, eta, t0, f0):
+def block_contact_time_kelvin_voigt_all_signed(out, v, v_2, t_m, t_h, E, eta, t0, f0):
     np.divide(v_2, v, out)
     np.divide(t_m, out, out)
     np.divide(eta, E, t0)
     np.subtract(out, t0, t0)
     np.maximum(t0, f0, out=t0)
-    np.add(t_m, t0, out)
+    np.add(t_h, t0, out)
 
 
-def contact_time_maxwell(v, v_2, t_m, E, tau):
-    if v.__class__ is v_2.__class__ is t_m.__class__ is E.__class__ is tau.__class__ is float and v > 1e-30 and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (E > 1e-30) and (E < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+def contact_time_maxwell(v, v_2, t_m, t_h, E, tau):
+    if v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is E.__class__ is tau.__class__ is float and v > 1e-30 and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (E > 1e-30) and (E < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
         try:
-            value = t_m + tau * log1p(-expm1(-t_m / tau) / (v_2 / v))
+            value = t_h + tau * log1p(-expm1(-t_m / tau) * exp((t_m - t_h) / tau) / (v_2 / v))
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             return None
@@ -65,93 +65,85 @@ def prepare_contact_time_maxwell_all_signed():
     return ()
 
 
-def block_contact_time_maxwell_all_signed(out, v, v_2, t_m, E, tau, t0):
+def block_contact_time_maxwell_all_signed(out, v, v_2, t_m, t_h, E, tau, t0, t1):
     np.divide(v_2, v, out)
     np.negative(t_m, t0)
     np.divide(t0, tau, t0)
     np.expm1(t0, t0)
     np.negative(t0, t0)
-    np.divide(t0, out, out)
+    np.subtract(t_m, t_h, t1)
+    np.divide(t1, tau, t1)
+    np.exp(t1, t1)
+    np.multiply(t0, t1, t1)
+    np.divide(t1, out, out)
     np.log1p(out, out)
     np.multiply(tau, out, out)
-    np.add(t_m, out, out)
+    np.add(t_h, out, out)
 
 
-def contact_time_power_creep(v, v_2, t_m, E, alpha, t_0):
-    if v.__class__ is v_2.__class__ is t_m.__class__ is E.__class__ is alpha.__class__ is t_0.__class__ is float and v > 1e-30 and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (E > 1e-30) and (E < 1e+30) and (alpha > 1e-30) and (alpha < 1.0) and (t_0 > 1e-30) and (t_0 < 1e+30):
+def contact_time_power_creep(v, v_2, t_m, t_h, E, alpha, t_0):
+    if v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is E.__class__ is alpha.__class__ is t_0.__class__ is float and v > 1e-30 and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (E > 1e-30) and (E < 1e+30) and (alpha > 1e-30) and (alpha < 1.0) and (t_0 > 1e-30) and (t_0 < 1e+30):
         try:
-            v10 = log1p(v_2 / v) / (1.0 - alpha)
-            value = t_m + t_m / expm1(v10 if v10 < 700.0 or v10 != v10 else 700.0)
+            value = bodies._contact_time_power_creep(v, v_2, t_m, t_h, E, alpha, t_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            return None
-        except (ArithmeticError, ValueError):
-            pass
-    return None
-
-
-def prepare_contact_time_power_creep_all_signed():
-    return ()
-
-
-def block_contact_time_power_creep_all_signed(out, v, v_2, t_m, E, alpha, t_0, t0, f0):
-    np.divide(v_2, v, out)
-    np.log1p(out, out)
-    np.subtract(C0, alpha, t0)
-    np.divide(out, t0, t0)
-    np.minimum(t0, f0, out=t0)
-    np.expm1(t0, t0)
-    np.divide(t_m, t0, t0)
-    np.add(t_m, t0, out)
-
-
-def contact_time_standard_solid(v, v_2, t_m, E_inf, E_1, tau):
-    if v.__class__ is v_2.__class__ is t_m.__class__ is E_inf.__class__ is E_1.__class__ is tau.__class__ is float and v > 1e-30 and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (E_inf > 1e-30) and (E_inf < 1e+30) and (E_1 > 1e-30) and (E_1 < 1e+30) and (tau > -1e+30) and (tau < 1e+30):
-        try:
-            value = bodies._contact_time_standard_solid(v, v_2, t_m, E_inf, E_1, tau)
-            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
-                return value
-            if (value != value or value == 0.0) and ordinary(v, v_2, t_m, E_inf, E_1, tau):
+            if value != value and ordinary(v, v_2, t_m, t_h, E, alpha, t_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
     return None
 
 
-def earlier_time_kelvin_voigt(t, v, v_2, t_m, E, eta):
-    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is E.__class__ is eta.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
+def contact_time_standard_solid(v, v_2, t_m, t_h, E_inf, E_1, tau):
+    if v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is E_inf.__class__ is E_1.__class__ is tau.__class__ is float and v > 1e-30 and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (E_inf > 1e-30) and (E_inf < 1e+30) and (E_1 > 1e-30) and (E_1 < 1e+30) and (tau > -1e+30) and (tau < 1e+30):
+        try:
+            value = bodies._contact_time_standard_solid(v, v_2, t_m, t_h, E_inf, E_1, tau)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if (value != value or value == 0.0) and ordinary(v, v_2, t_m, t_h, E_inf, E_1, tau):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def earlier_time_kelvin_voigt(t, v, v_2, t_m, t_h, E, eta):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is E.__class__ is eta.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
         try:
             if t > t_m:
-                v7 = t - t_m
-                v14 = t_m - v_2 / v * ((v7 if v7 > 0.0 or v7 != v7 else 0.0) + eta / E)
-                return v14 if v14 > 0.0 or v14 != v14 else 0.0
+                v16 = t_m - (v_2 / v * (t - t_h + eta / E) if t > t_h else 0.0)
+                return v16 if v16 > 0.0 or v16 != v16 else 0.0
             return t
         except (ArithmeticError, ValueError):
             pass
     return None
 
 
-def prepare_earlier_time_kelvin_voigt_t(v, v_2, t_m, E, eta):
-    v6 = v_2 / v
+def prepare_earlier_time_kelvin_voigt_t(v, v_2, t_m, t_h, E, eta):
+    v7 = v_2 / v
     v10 = eta / E
-    return (t_m, v6, v10)
+    return (t_m, t_h, v7, v10)
 
 
-def block_earlier_time_kelvin_voigt_t(out, t, t_m, v6, v10, m0, f0):
+def block_earlier_time_kelvin_voigt_t(out, t, t_m, t_h, v7, v10, m0, m1, f0):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some16 = np.count_nonzero(m0)
-    if some16:
-        np.subtract(t, t_m, out)
-        np.maximum(out, f0, out=out)
-        np.add(out, v10, out)
-        np.multiply(v6, out, out)
+    some18 = np.count_nonzero(m0)
+    if some18:
+        np.greater(t, t_h, m1)
+        some14 = np.count_nonzero(m1)
+        if some14:
+            np.subtract(t, t_h, out)
+            np.add(out, v10, out)
+            np.multiply(v7, out, out)
+        if some14 != size:
+            np.copyto(out, C0, where=~m1)
         np.subtract(t_m, out, out)
         np.maximum(out, f0, out=out)
-    if some16 != size:
+    if some18 != size:
         np.copyto(out, t, where=~m0)
 
 
@@ -159,35 +151,40 @@ def prepare_earlier_time_kelvin_voigt_all():
     return ()
 
 
-def block_earlier_time_kelvin_voigt_all(out, t, v, v_2, t_m, E, eta, t0, t1, m0, f0):
+def block_earlier_time_kelvin_voigt_all(out, t, v, v_2, t_m, t_h, E, eta, t0, t1, m0, m1, f0):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some16 = np.count_nonzero(m0)
-    if some16:
-        np.divide(v_2, v, out)
-        np.subtract(t, t_m, t0)
-        np.maximum(t0, f0, out=t0)
-        np.divide(eta, E, t1)
-        np.add(t0, t1, t1)
-        np.multiply(out, t1, t1)
-        np.subtract(t_m, t1, t1)
-        np.maximum(t1, f0, out=out)
-    if some16 != size:
+    some18 = np.count_nonzero(m0)
+    if some18:
+        np.greater(t, t_h, m1)
+        some14 = np.count_nonzero(m1)
+        if some14:
+            np.divide(v_2, v, out)
+            np.subtract(t, t_h, t0)
+            np.divide(eta, E, t1)
+            np.add(t0, t1, t1)
+            np.multiply(out, t1, out)
+        if some14 != size:
+            np.copyto(out, C0, where=~m1)
+        np.subtract(t_m, out, out)
+        np.maximum(out, f0, out=out)
+    if some18 != size:
         np.copyto(out, t, where=~m0)
 
 
-def earlier_time_maxwell(t, v, v_2, t_m, E, tau):
-    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is E.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (E > 1e-30) and (E < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+def earlier_time_maxwell(t, v, v_2, t_m, t_h, E, tau):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is E.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (E > 1e-30) and (E < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
         try:
             if t > t_m:
-                v7 = t - t_m
-                v10 = (v7 if v7 > 0.0 or v7 != v7 else 0.0) / tau
-                v14 = v_2 / v * expm1(v10 if v10 < 700.0 or v10 != v10 else 700.0)
-                v26 = t_m - (-tau * log1p(-(v14 if v14 < 0.9999999999999998 or v14 != v14 else 0.9999999999999998)) if v14 < 1.0 else inf)
-                value = v26 if v26 > 0.0 or v26 != v26 else 0.0
+                v8 = t - t_h
+                v11 = (v8 if v8 > 0.0 or v8 != v8 else 0.0) / tau
+                v17 = (t_h - t_m) / tau
+                v20 = v_2 / v * expm1(v11 if v11 < 700.0 or v11 != v11 else 700.0) * exp(v17 if v17 < 700.0 or v17 != v17 else 700.0)
+                v32 = t_m - (-tau * log1p(-(v20 if v20 < 0.9999999999999998 or v20 != v20 else 0.9999999999999998)) if v20 < 1.0 else inf)
+                value = v32 if v32 > 0.0 or v32 != v32 else 0.0
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 return None
@@ -197,38 +194,43 @@ def earlier_time_maxwell(t, v, v_2, t_m, E, tau):
     return None
 
 
-def prepare_earlier_time_maxwell_t(v, v_2, t_m, E, tau):
-    v5 = v_2 / v
-    v16 = np.negative(tau)
-    return (t_m, tau, v5, v16)
+def prepare_earlier_time_maxwell_t(v, v_2, t_m, t_h, E, tau):
+    v6 = v_2 / v
+    v15 = t_h - t_m
+    v16 = v15 / tau
+    v17 = np.minimum(v16, (700.0))
+    v18 = np.exp(v17)
+    v22 = np.negative(tau)
+    return (t_m, t_h, tau, v6, v18, v22)
 
 
-def block_earlier_time_maxwell_t(out, t, t_m, tau, v5, v16, t0, m0, m1, f0, f1, f2):
+def block_earlier_time_maxwell_t(out, t, t_m, t_h, tau, v6, v18, v22, t0, m0, m1, f0, f1, f2):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some27 = np.count_nonzero(m0)
-    if some27:
-        np.subtract(t, t_m, out)
+    some33 = np.count_nonzero(m0)
+    if some33:
+        np.subtract(t, t_h, out)
         np.maximum(out, f0, out=out)
         np.divide(out, tau, out)
         np.minimum(out, f1, out=out)
         np.expm1(out, out)
-        np.multiply(v5, out, out)
-        np.less(out, C0, m1)
-        some23 = np.count_nonzero(m1)
-        if some23:
+        np.multiply(v6, out, out)
+        np.multiply(out, v18, out)
+        np.less(out, C1, m1)
+        some29 = np.count_nonzero(m1)
+        if some29:
             np.minimum(out, f2, out=t0)
             np.negative(t0, t0)
             np.log1p(t0, t0)
-            np.multiply(v16, t0, t0)
-        if some23 != size:
-            np.copyto(t0, C1, where=~m1)
+            np.multiply(v22, t0, t0)
+        if some29 != size:
+            np.copyto(t0, C2, where=~m1)
         np.subtract(t_m, t0, t0)
         np.maximum(t0, f0, out=out)
-    if some27 != size:
+    if some33 != size:
         np.copyto(out, t, where=~m0)
 
 
@@ -236,45 +238,51 @@ def prepare_earlier_time_maxwell_all():
     return ()
 
 
-def block_earlier_time_maxwell_all(out, t, v, v_2, t_m, E, tau, t0, t1, m0, m1, f0, f1, f2):
+def block_earlier_time_maxwell_all(out, t, v, v_2, t_m, t_h, E, tau, t0, t1, m0, m1, f0, f1, f2):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some27 = np.count_nonzero(m0)
-    if some27:
+    some33 = np.count_nonzero(m0)
+    if some33:
         np.divide(v_2, v, out)
-        np.subtract(t, t_m, t0)
+        np.subtract(t, t_h, t0)
         np.maximum(t0, f0, out=t0)
         np.divide(t0, tau, t0)
         np.minimum(t0, f1, out=t0)
         np.expm1(t0, t0)
         np.multiply(out, t0, t0)
-        np.less(t0, C0, m1)
-        some23 = np.count_nonzero(m1)
-        if some23:
-            np.negative(tau, out)
-            np.minimum(t0, f2, out=t1)
+        np.subtract(t_h, t_m, out)
+        np.divide(out, tau, out)
+        np.minimum(out, f1, out=out)
+        np.exp(out, out)
+        np.multiply(t0, out, out)
+        np.less(out, C1, m1)
+        some29 = np.count_nonzero(m1)
+        if some29:
+            np.negative(tau, t0)
+            np.minimum(out, f2, out=t1)
             np.negative(t1, t1)
             np.log1p(t1, t1)
-            np.multiply(out, t1, out)
-        if some23 != size:
-            np.copyto(out, C1, where=~m1)
-        np.subtract(t_m, out, out)
-        np.maximum(out, f0, out=out)
-    if some27 != size:
+            np.multiply(t0, t1, t0)
+        if some29 != size:
+            np.copyto(t0, C2, where=~m1)
+        np.subtract(t_m, t0, t0)
+        np.maximum(t0, f0, out=out)
+    if some33 != size:
         np.copyto(out, t, where=~m0)
 
 
-def earlier_time_power_creep(t, v, v_2, t_m, E, alpha, t_0):
-    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is E.__class__ is alpha.__class__ is t_0.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (E > 1e-30) and (E < 1e+30) and (alpha > 1e-30) and (alpha < 1.0) and (t_0 > 1e-30) and (t_0 < 1e+30):
+def earlier_time_power_creep(t, v, v_2, t_m, t_h, E, alpha, t_0):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is E.__class__ is alpha.__class__ is t_0.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (E > 1e-30) and (E < 1e+30) and (alpha > 1e-30) and (alpha < 1.0) and (t_0 > 1e-30) and (t_0 < 1e+30):
         try:
             if t > t_m:
-                v8 = t - t_m
-                v14 = log1p(v_2 / v) / (1.0 - alpha)
-                v20 = t_m - (v8 if v8 > 0.0 or v8 != v8 else 0.0) * expm1(v14 if v14 < 700.0 or v14 != v14 else 700.0)
-                value = v20 if v20 > 0.0 or v20 != v20 else 0.0
+                v11 = t - t_m
+                v16 = 1.0 - alpha
+                v21 = log1p(v_2 / v * pow((t - t_h) / v11 if t > t_h else 0.0, v16)) / v16
+                v27 = t_m - (v11 if v11 > 0.0 or v11 != v11 else 0.0) * expm1(v21 if v21 < 700.0 or v21 != v21 else 700.0)
+                value = v27 if v27 > 0.0 or v27 != v27 else 0.0
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 return None
@@ -284,30 +292,39 @@ def earlier_time_power_creep(t, v, v_2, t_m, E, alpha, t_0):
     return None
 
 
-def prepare_earlier_time_power_creep_t(v, v_2, t_m, E, alpha, t_0):
-    v5 = v_2 / v
-    v9 = np.log1p(v5)
-    v11 = (1.0) - alpha
-    v12 = v9 / v11
-    v14 = np.minimum(v12, (700.0))
-    v15 = np.expm1(v14)
-    return (t_m, v15)
+def prepare_earlier_time_power_creep_t(v, v_2, t_m, t_h, E, alpha, t_0):
+    v6 = v_2 / v
+    v14 = (1.0) - alpha
+    return (t_m, t_h, v6, v14)
 
 
-def block_earlier_time_power_creep_t(out, t, t_m, v15, m0, f0):
+def block_earlier_time_power_creep_t(out, t, t_m, t_h, v6, v14, t0, m0, m1, f0, f1):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some20 = np.count_nonzero(m0)
-    if some20:
+    some27 = np.count_nonzero(m0)
+    if some27:
+        np.greater(t, t_h, m1)
         np.subtract(t, t_m, out)
+        some12 = np.count_nonzero(m1)
+        if some12:
+            np.subtract(t, t_h, t0)
+            np.divide(t0, out, t0)
+        if some12 != size:
+            np.copyto(t0, C0, where=~m1)
         np.maximum(out, f0, out=out)
-        np.multiply(out, v15, out)
-        np.subtract(t_m, out, out)
-        np.maximum(out, f0, out=out)
-    if some20 != size:
+        np.power(t0, v14, t0)
+        np.multiply(v6, t0, t0)
+        np.log1p(t0, t0)
+        np.divide(t0, v14, t0)
+        np.minimum(t0, f1, out=t0)
+        np.expm1(t0, t0)
+        np.multiply(out, t0, t0)
+        np.subtract(t_m, t0, t0)
+        np.maximum(t0, f0, out=out)
+    if some27 != size:
         np.copyto(out, t, where=~m0)
 
 
@@ -315,36 +332,45 @@ def prepare_earlier_time_power_creep_all():
     return ()
 
 
-def block_earlier_time_power_creep_all(out, t, v, v_2, t_m, E, alpha, t_0, t0, t1, m0, f0, f1):
+def block_earlier_time_power_creep_all(out, t, v, v_2, t_m, t_h, E, alpha, t_0, t0, t1, t2, m0, m1, f0, f1):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some20 = np.count_nonzero(m0)
-    if some20:
+    some27 = np.count_nonzero(m0)
+    if some27:
         np.divide(v_2, v, out)
+        np.greater(t, t_h, m1)
         np.subtract(t, t_m, t0)
+        some12 = np.count_nonzero(m1)
+        if some12:
+            np.subtract(t, t_h, t1)
+            np.divide(t1, t0, t1)
+        if some12 != size:
+            np.copyto(t1, C0, where=~m1)
+        np.subtract(C1, alpha, t2)
         np.maximum(t0, f0, out=t0)
-        np.log1p(out, out)
-        np.subtract(C0, alpha, t1)
-        np.divide(out, t1, t1)
-        np.minimum(t1, f1, out=t1)
-        np.expm1(t1, t1)
-        np.multiply(t0, t1, t1)
-        np.subtract(t_m, t1, t1)
-        np.maximum(t1, f0, out=out)
-    if some20 != size:
+        np.power(t1, t2, t1)
+        np.multiply(out, t1, t1)
+        np.log1p(t1, t1)
+        np.divide(t1, t2, t2)
+        np.minimum(t2, f1, out=t2)
+        np.expm1(t2, t2)
+        np.multiply(t0, t2, t2)
+        np.subtract(t_m, t2, t2)
+        np.maximum(t2, f0, out=out)
+    if some27 != size:
         np.copyto(out, t, where=~m0)
 
 
-def earlier_time_standard_solid(t, v, v_2, t_m, E_inf, E_1, tau):
-    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is E_inf.__class__ is E_1.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (E_inf > 1e-30) and (E_inf < 1e+30) and (E_1 > 1e-30) and (E_1 < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+def earlier_time_standard_solid(t, v, v_2, t_m, t_h, E_inf, E_1, tau):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is E_inf.__class__ is E_1.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (E_inf > 1e-30) and (E_inf < 1e+30) and (E_1 > 1e-30) and (E_1 < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
         try:
-            value = bodies._earlier_time_standard_solid(t, v, v_2, t_m, E_inf, E_1, tau)
+            value = bodies._earlier_time_standard_solid(t, v, v_2, t_m, t_h, E_inf, E_1, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, E_inf, E_1, tau):
+            if value != value and ordinary(t, v, v_2, t_m, t_h, E_inf, E_1, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -375,13 +401,13 @@ def prepare_ramp_force_kelvin_voigt_t(A, v, E, eta):
 
 def block_ramp_force_kelvin_voigt_t(out, t, v, A, E, v31, t0, t1, t2, t3, t4, m0, m1, m2):
     size = out.size
-    np.equal(t, C2, m0)
+    np.equal(t, C0, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
     some36 = np.count_nonzero(m0)
     if some36:
-        np.copyto(out, C2)
+        np.copyto(out, C0)
     if some36 != size:
         other36 = t0 if some36 else out
         np.multiply(v, t, other36)
@@ -389,16 +415,16 @@ def block_ramp_force_kelvin_voigt_t(out, t, v, A, E, v31, t0, t1, t2, t3, t4, m0
         np.multiply(C4, other36, other36)
         np.divide(other36, A, other36)
         np.power(other36, C5, t2)
-        np.greater(other36, C2, m1)
-        np.less(other36, C1, m2)
+        np.greater(other36, C0, m1)
+        np.less(other36, C2, m2)
         np.bitwise_and(m1, m2, m2)
         some28 = np.count_nonzero(m2)
         if some28:
             np.power(t2, C6, t3)
-            np.power(t2, C2, t4)
+            np.power(t2, C0, t4)
             np.multiply(t3, t4, t4)
             np.divide(other36, t4, t4)
-            np.subtract(t4, C0, t4)
+            np.subtract(t4, C1, t4)
             np.divide(t4, C6, t4)
             np.multiply(t2, t4, t4)
             np.add(t2, t4, t3)
@@ -418,13 +444,13 @@ def prepare_ramp_force_kelvin_voigt_all():
 
 def block_ramp_force_kelvin_voigt_all(out, t, A, v, E, eta, t0, t1, t2, t3, t4, m0, m1, m2):
     size = out.size
-    np.equal(t, C2, m0)
+    np.equal(t, C0, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
     some36 = np.count_nonzero(m0)
     if some36:
-        np.copyto(out, C2)
+        np.copyto(out, C0)
     if some36 != size:
         other36 = t0 if some36 else out
         np.multiply(v, t, other36)
@@ -432,16 +458,16 @@ def block_ramp_force_kelvin_voigt_all(out, t, A, v, E, eta, t0, t1, t2, t3, t4, 
         np.multiply(C4, other36, other36)
         np.divide(other36, A, other36)
         np.power(other36, C5, t2)
-        np.greater(other36, C2, m1)
-        np.less(other36, C1, m2)
+        np.greater(other36, C0, m1)
+        np.less(other36, C2, m2)
         np.bitwise_and(m1, m2, m2)
         some28 = np.count_nonzero(m2)
         if some28:
             np.power(t2, C6, t3)
-            np.power(t2, C2, t4)
+            np.power(t2, C0, t4)
             np.multiply(t3, t4, t4)
             np.divide(other36, t4, t4)
-            np.subtract(t4, C0, t4)
+            np.subtract(t4, C1, t4)
             np.divide(t4, C6, t4)
             np.multiply(t2, t4, t4)
             np.add(t2, t4, t3)
@@ -495,32 +521,31 @@ def ramp_force_standard_solid(t, v, A, E_inf, E_1, tau):
     return None
 
 
-def retract_force_kelvin_voigt(t, v, v_2, t_m, A, E, eta):
-    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is A.__class__ is E.__class__ is eta.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
+def retract_force_kelvin_voigt(t, v, v_2, t_m, t_h, A, E, eta):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is A.__class__ is E.__class__ is eta.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
         try:
-            v14 = t > t_m
-            if v14:
-                if v14:
-                    v8 = t - t_m
-                    v15 = t_m - v_2 / v * ((v8 if v8 > 0.0 or v8 != v8 else 0.0) + eta / E)
-                    v17 = v15 if v15 > 0.0 or v15 != v15 else 0.0
+            v16 = t > t_m
+            if v16:
+                if v16:
+                    v17 = t_m - (v_2 / v * (t - t_h + eta / E) if t > t_h else 0.0)
+                    v19 = v17 if v17 > 0.0 or v17 != v17 else 0.0
                 else:
-                    v17 = t
-                if v17 > 0.0:
-                    v18 = v * v17
-                    v23 = 20.0 * v18 / A
-                    v25 = pow(v23, 0.16666666666666666)
-                    value = 0.8571428571428571 * v18 * (v25 + v25 * ((v23 / (pow(v25, 6.0) * pow(v25, 0.0)) - 1.0) / 6.0) if v23 > 0.0 and v23 < inf else v25) * (E + 0.0 * v17)
+                    v19 = t
+                if v19 > 0.0:
+                    v20 = v * v19
+                    v25 = 20.0 * v20 / A
+                    v27 = pow(v25, 0.16666666666666666)
+                    value = 0.8571428571428571 * v20 * (v27 + v27 * ((v25 / (pow(v27, 6.0) * pow(v27, 0.0)) - 1.0) / 6.0) if v25 > 0.0 and v25 < inf else v27) * (E + 0.0 * v19)
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
                     return None
                 return 0.0
             if t == 0.0:
                 return 0.0
-            v48 = v * t
-            v51 = 20.0 * v48 / A
-            v52 = pow(v51, 0.16666666666666666)
-            value = 0.8571428571428571 * v48 * (v52 + v52 * ((v51 / (pow(v52, 6.0) * pow(v52, 0.0)) - 1.0) / 6.0) if v51 > 0.0 and v51 < inf else v52) * (E + eta * 1.1666666666666667 / t)
+            v52 = v * t
+            v55 = 20.0 * v52 / A
+            v56 = pow(v55, 0.16666666666666666)
+            value = 0.8571428571428571 * v52 * (v56 + v56 * ((v55 / (pow(v56, 6.0) * pow(v56, 0.0)) - 1.0) / 6.0) if v55 > 0.0 and v55 < inf else v56) * (E + eta * 1.1666666666666667 / t)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             return None
@@ -529,248 +554,255 @@ def retract_force_kelvin_voigt(t, v, v_2, t_m, A, E, eta):
     return None
 
 
-def prepare_retract_force_kelvin_voigt_t(A, v, v_2, t_m, E, eta):
-    v7 = v_2 / v
+def prepare_retract_force_kelvin_voigt_t(A, v, v_2, t_m, t_h, E, eta):
+    v8 = v_2 / v
     v11 = eta / E
-    v66 = eta * (1.1666666666666667)
-    return (v, t_m, A, E, v7, v11, v66)
+    v68 = eta * (1.1666666666666667)
+    return (v, t_m, t_h, A, E, v8, v11, v68)
 
 
-def block_retract_force_kelvin_voigt_t(out, t, v, t_m, A, E, v7, v11, v66, t0, t1, t2, t3, t4, t5, m0, m1, m2, m3, f0):
+def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, A, E, v8, v11, v68, t0, t1, t2, t3, t4, t5, m0, m1, m2, m3, f0):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some72 = np.count_nonzero(m0)
-    if some72:
-        some17 = np.count_nonzero(m0)
-        if some17:
-            np.subtract(t, t_m, t0)
-            np.maximum(t0, f0, out=t0)
-            np.add(t0, v11, t0)
-            np.multiply(v7, t0, t0)
+    some74 = np.count_nonzero(m0)
+    if some74:
+        some19 = np.count_nonzero(m0)
+        if some19:
+            np.greater(t, t_h, m1)
+            some15 = np.count_nonzero(m1)
+            if some15:
+                np.subtract(t, t_h, t0)
+                np.add(t0, v11, t0)
+                np.multiply(v8, t0, t0)
+            if some15 != size:
+                np.copyto(t0, C0, where=~m1)
             np.subtract(t_m, t0, t0)
             np.maximum(t0, f0, out=t0)
-        if some17 != size:
+        if some19 != size:
             np.copyto(t0, t, where=~m0)
-        np.greater(t0, C2, m1)
-        some46 = np.count_nonzero(m1)
-        if some46:
+        np.greater(t0, C0, m1)
+        some48 = np.count_nonzero(m1)
+        if some48:
             np.multiply(v, t0, out)
             np.multiply(C3, out, t1)
             np.multiply(C4, out, out)
             np.divide(out, A, out)
             np.power(out, C5, t2)
-            np.greater(out, C2, m2)
-            np.less(out, C1, m3)
+            np.greater(out, C0, m2)
+            np.less(out, C2, m3)
             np.bitwise_and(m2, m3, m3)
-            some40 = np.count_nonzero(m3)
-            if some40:
+            some42 = np.count_nonzero(m3)
+            if some42:
                 np.power(t2, C6, t3)
-                np.power(t2, C2, t4)
+                np.power(t2, C0, t4)
                 np.multiply(t3, t4, t4)
                 np.divide(out, t4, t4)
-                np.subtract(t4, C0, t4)
+                np.subtract(t4, C1, t4)
                 np.divide(t4, C6, t4)
                 np.multiply(t2, t4, t4)
                 np.add(t2, t4, t3)
-            if some40 != size:
+            if some42 != size:
                 np.copyto(t3, t2, where=~m3)
             np.multiply(t1, t3, t3)
-            np.multiply(C2, t0, t1)
+            np.multiply(C0, t0, t1)
             np.add(E, t1, t1)
             np.multiply(t3, t1, out)
-        if some46 != size:
-            np.copyto(out, C2, where=~m1)
-    if some72 != size:
-        other72 = t0 if some72 else out
-        np.equal(t, C2, m1)
-        some71 = np.count_nonzero(m1)
-        if some71:
-            np.copyto(other72, C2)
-        if some71 != size:
-            other71 = t1 if some71 else other72
-            np.multiply(v, t, other71)
-            np.multiply(C3, other71, t3)
-            np.multiply(C4, other71, other71)
-            np.divide(other71, A, other71)
-            np.power(other71, C5, t2)
-            np.greater(other71, C2, m3)
-            np.less(other71, C1, m2)
+        if some48 != size:
+            np.copyto(out, C0, where=~m1)
+    if some74 != size:
+        other74 = t0 if some74 else out
+        np.equal(t, C0, m1)
+        some73 = np.count_nonzero(m1)
+        if some73:
+            np.copyto(other74, C0)
+        if some73 != size:
+            other73 = t1 if some73 else other74
+            np.multiply(v, t, other73)
+            np.multiply(C3, other73, t3)
+            np.multiply(C4, other73, other73)
+            np.divide(other73, A, other73)
+            np.power(other73, C5, t2)
+            np.greater(other73, C0, m3)
+            np.less(other73, C2, m2)
             np.bitwise_and(m3, m2, m2)
-            some63 = np.count_nonzero(m2)
-            if some63:
+            some65 = np.count_nonzero(m2)
+            if some65:
                 np.power(t2, C6, t4)
-                np.power(t2, C2, t5)
+                np.power(t2, C0, t5)
                 np.multiply(t4, t5, t5)
-                np.divide(other71, t5, t5)
-                np.subtract(t5, C0, t5)
+                np.divide(other73, t5, t5)
+                np.subtract(t5, C1, t5)
                 np.divide(t5, C6, t5)
                 np.multiply(t2, t5, t5)
                 np.add(t2, t5, t4)
-            if some63 != size:
+            if some65 != size:
                 np.copyto(t4, t2, where=~m2)
             np.multiply(t3, t4, t4)
-            np.divide(v66, t, t3)
+            np.divide(v68, t, t3)
             np.add(E, t3, t3)
-            np.multiply(t4, t3, other71)
-            if some71:
-                np.copyto(other72, other71, where=~m1)
-        if some72:
-            np.copyto(out, other72, where=~m0)
+            np.multiply(t4, t3, other73)
+            if some73:
+                np.copyto(other74, other73, where=~m1)
+        if some74:
+            np.copyto(out, other74, where=~m0)
 
 
 def prepare_retract_force_kelvin_voigt_all():
     return ()
 
 
-def block_retract_force_kelvin_voigt_all(out, t, A, v, v_2, t_m, E, eta, t0, t1, t2, t3, t4, t5, m0, m1, m2, m3, f0):
+def block_retract_force_kelvin_voigt_all(out, t, A, v, v_2, t_m, t_h, E, eta, t0, t1, t2, t3, t4, t5, m0, m1, m2, m3, f0):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some72 = np.count_nonzero(m0)
-    if some72:
-        some17 = np.count_nonzero(m0)
-        if some17:
-            np.divide(v_2, v, t0)
-            np.subtract(t, t_m, t1)
-            np.maximum(t1, f0, out=t1)
-            np.divide(eta, E, t2)
-            np.add(t1, t2, t2)
-            np.multiply(t0, t2, t2)
-            np.subtract(t_m, t2, t2)
-            np.maximum(t2, f0, out=t0)
-        if some17 != size:
+    some74 = np.count_nonzero(m0)
+    if some74:
+        some19 = np.count_nonzero(m0)
+        if some19:
+            np.greater(t, t_h, m1)
+            some15 = np.count_nonzero(m1)
+            if some15:
+                np.divide(v_2, v, t0)
+                np.subtract(t, t_h, t1)
+                np.divide(eta, E, t2)
+                np.add(t1, t2, t2)
+                np.multiply(t0, t2, t0)
+            if some15 != size:
+                np.copyto(t0, C0, where=~m1)
+            np.subtract(t_m, t0, t0)
+            np.maximum(t0, f0, out=t0)
+        if some19 != size:
             np.copyto(t0, t, where=~m0)
-        np.greater(t0, C2, m1)
-        some46 = np.count_nonzero(m1)
-        if some46:
+        np.greater(t0, C0, m1)
+        some48 = np.count_nonzero(m1)
+        if some48:
             np.multiply(v, t0, out)
             np.multiply(C3, out, t2)
             np.multiply(C4, out, out)
             np.divide(out, A, out)
             np.power(out, C5, t1)
-            np.greater(out, C2, m2)
-            np.less(out, C1, m3)
+            np.greater(out, C0, m2)
+            np.less(out, C2, m3)
             np.bitwise_and(m2, m3, m3)
-            some40 = np.count_nonzero(m3)
-            if some40:
+            some42 = np.count_nonzero(m3)
+            if some42:
                 np.power(t1, C6, t3)
-                np.power(t1, C2, t4)
+                np.power(t1, C0, t4)
                 np.multiply(t3, t4, t4)
                 np.divide(out, t4, t4)
-                np.subtract(t4, C0, t4)
+                np.subtract(t4, C1, t4)
                 np.divide(t4, C6, t4)
                 np.multiply(t1, t4, t4)
                 np.add(t1, t4, t3)
-            if some40 != size:
+            if some42 != size:
                 np.copyto(t3, t1, where=~m3)
             np.multiply(t2, t3, t3)
-            np.multiply(C2, t0, t2)
+            np.multiply(C0, t0, t2)
             np.add(E, t2, t2)
             np.multiply(t3, t2, out)
-        if some46 != size:
-            np.copyto(out, C2, where=~m1)
-    if some72 != size:
-        other72 = t0 if some72 else out
-        np.equal(t, C2, m1)
-        some71 = np.count_nonzero(m1)
-        if some71:
-            np.copyto(other72, C2)
-        if some71 != size:
-            other71 = t2 if some71 else other72
-            np.multiply(v, t, other71)
-            np.multiply(C3, other71, t3)
-            np.multiply(C4, other71, other71)
-            np.divide(other71, A, other71)
-            np.power(other71, C5, t1)
-            np.greater(other71, C2, m3)
-            np.less(other71, C1, m2)
+        if some48 != size:
+            np.copyto(out, C0, where=~m1)
+    if some74 != size:
+        other74 = t0 if some74 else out
+        np.equal(t, C0, m1)
+        some73 = np.count_nonzero(m1)
+        if some73:
+            np.copyto(other74, C0)
+        if some73 != size:
+            other73 = t2 if some73 else other74
+            np.multiply(v, t, other73)
+            np.multiply(C3, other73, t3)
+            np.multiply(C4, other73, other73)
+            np.divide(other73, A, other73)
+            np.power(other73, C5, t1)
+            np.greater(other73, C0, m3)
+            np.less(other73, C2, m2)
             np.bitwise_and(m3, m2, m2)
-            some63 = np.count_nonzero(m2)
-            if some63:
+            some65 = np.count_nonzero(m2)
+            if some65:
                 np.power(t1, C6, t4)
-                np.power(t1, C2, t5)
+                np.power(t1, C0, t5)
                 np.multiply(t4, t5, t5)
-                np.divide(other71, t5, t5)
-                np.subtract(t5, C0, t5)
+                np.divide(other73, t5, t5)
+                np.subtract(t5, C1, t5)
                 np.divide(t5, C6, t5)
                 np.multiply(t1, t5, t5)
                 np.add(t1, t5, t4)
-            if some63 != size:
+            if some65 != size:
                 np.copyto(t4, t1, where=~m2)
             np.multiply(t3, t4, t4)
             np.multiply(eta, C7, t3)
             np.divide(t3, t, t3)
             np.add(E, t3, t3)
-            np.multiply(t4, t3, other71)
-            if some71:
-                np.copyto(other72, other71, where=~m1)
-        if some72:
-            np.copyto(out, other72, where=~m0)
+            np.multiply(t4, t3, other73)
+            if some73:
+                np.copyto(other74, other73, where=~m1)
+        if some74:
+            np.copyto(out, other74, where=~m0)
 
 
-def retract_force_maxwell(t, v, v_2, t_m, A, E, tau):
-    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is A.__class__ is E.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E > 1e-30) and (E < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+def retract_force_maxwell(t, v, v_2, t_m, t_h, A, E, tau):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is A.__class__ is E.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E > 1e-30) and (E < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
         try:
-            value = bodies._retract_force_maxwell(t, v, v_2, t_m, A, E, tau)
+            value = bodies._retract_force_maxwell(t, v, v_2, t_m, t_h, A, E, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, A, E, tau):
+            if value != value and ordinary(t, v, v_2, t_m, t_h, A, E, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass
     return None
 
 
-def retract_force_power_creep(t, v, v_2, t_m, A, E, alpha, t_0):
-    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is A.__class__ is E.__class__ is alpha.__class__ is t_0.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E > 1e-30) and (E < 1e+30) and (alpha > 1e-30) and (alpha < 1.0) and (t_0 > 1e-30) and (t_0 < 1e+30):
+def retract_force_power_creep(t, v, v_2, t_m, t_h, A, E, alpha, t_0):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is A.__class__ is E.__class__ is alpha.__class__ is t_0.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E > 1e-30) and (E < 1e+30) and (alpha > 1e-30) and (alpha < 1.0) and (t_0 > 1e-30) and (t_0 < 1e+30):
         try:
-            value = bodies._retract_force_power_creep(t, v, v_2, t_m, A, E, alpha, t_0)
+            value = bodies._retract_force_power_creep(t, v, v_2, t_m, t_h, A, E, alpha, t_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, A, E, alpha, t_0):
+            if value != value and ordinary(t, v, v_2, t_m, t_h, A, E, alpha, t_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
     return None
 
 
-def retract_force_standard_solid(t, v, v_2, t_m, A, E_inf, E_1, tau):
-    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is A.__class__ is E_inf.__class__ is E_1.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_inf > 1e-30) and (E_inf < 1e+30) and (E_1 > 1e-30) and (E_1 < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+def retract_force_standard_solid(t, v, v_2, t_m, t_h, A, E_inf, E_1, tau):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is A.__class__ is E_inf.__class__ is E_1.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_inf > 1e-30) and (E_inf < 1e+30) and (E_1 > 1e-30) and (E_1 < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
         try:
-            value = bodies._retract_force_standard_solid(t, v, v_2, t_m, A, E_inf, E_1, tau)
+            value = bodies._retract_force_standard_solid(t, v, v_2, t_m, t_h, A, E_inf, E_1, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, A, E_inf, E_1, tau):
+            if value != value and ordinary(t, v, v_2, t_m, t_h, A, E_inf, E_1, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass
     return None
 
 
-def retract_radius_kelvin_voigt(t, v, v_2, t_m, A, E, eta):
-    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is A.__class__ is E.__class__ is eta.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
+def retract_radius_kelvin_voigt(t, v, v_2, t_m, t_h, A, E, eta):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is A.__class__ is E.__class__ is eta.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
         try:
             if t > t_m:
-                v8 = t - t_m
-                v15 = t_m - v_2 / v * ((v8 if v8 > 0.0 or v8 != v8 else 0.0) + eta / E)
-                v17 = v15 if v15 > 0.0 or v15 != v15 else 0.0
+                v17 = t_m - (v_2 / v * (t - t_h + eta / E) if t > t_h else 0.0)
+                v19 = v17 if v17 > 0.0 or v17 != v17 else 0.0
             else:
-                v17 = t
-            if v17 <= 0.0:
+                v19 = t
+            if v19 <= 0.0:
                 return 0.0
-            v24 = 5.0 * (v * v17) / (16.0 * A)
-            v26 = pow(v24, 0.16666666666666666)
-            if v24 > 0.0 and v24 < inf:
-                value = v26 + v26 * ((v24 / (pow(v26, 6.0) * pow(v26, 0.0)) - 1.0) / 6.0)
+            v26 = 5.0 * (v * v19) / (16.0 * A)
+            v28 = pow(v26, 0.16666666666666666)
+            if v26 > 0.0 and v26 < inf:
+                value = v28 + v28 * ((v26 / (pow(v28, 6.0) * pow(v28, 0.0)) - 1.0) / 6.0)
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 return None
-            value = v26
+            value = v28
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             return None
@@ -779,134 +811,143 @@ def retract_radius_kelvin_voigt(t, v, v_2, t_m, A, E, eta):
     return None
 
 
-def prepare_retract_radius_kelvin_voigt_t(A, v, v_2, t_m, E, eta):
-    v7 = v_2 / v
+def prepare_retract_radius_kelvin_voigt_t(A, v, v_2, t_m, t_h, E, eta):
+    v8 = v_2 / v
     v11 = eta / E
-    v23 = (16.0) * A
-    return (v, t_m, v7, v11, v23)
+    v25 = (16.0) * A
+    return (v, t_m, t_h, v8, v11, v25)
 
 
-def block_retract_radius_kelvin_voigt_t(out, t, v, t_m, v7, v11, v23, t0, t1, t2, t3, t4, m0, m1, m2, f0):
+def block_retract_radius_kelvin_voigt_t(out, t, v, t_m, t_h, v8, v11, v25, t0, t1, t2, t3, t4, m0, m1, m2, f0):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some17 = np.count_nonzero(m0)
-    if some17:
-        np.subtract(t, t_m, t0)
-        np.maximum(t0, f0, out=t0)
-        np.add(t0, v11, t0)
-        np.multiply(v7, t0, t0)
+    some19 = np.count_nonzero(m0)
+    if some19:
+        np.greater(t, t_h, m1)
+        some15 = np.count_nonzero(m1)
+        if some15:
+            np.subtract(t, t_h, t0)
+            np.add(t0, v11, t0)
+            np.multiply(v8, t0, t0)
+        if some15 != size:
+            np.copyto(t0, C0, where=~m1)
         np.subtract(t_m, t0, t0)
         np.maximum(t0, f0, out=t0)
-    if some17 != size:
+    if some19 != size:
         np.copyto(t0, t, where=~m0)
-    np.less_equal(t0, C2, m0)
-    some42 = np.count_nonzero(m0)
-    if some42:
-        np.copyto(out, C2)
-    if some42 != size:
-        other42 = t1 if some42 else out
+    np.less_equal(t0, C0, m0)
+    some44 = np.count_nonzero(m0)
+    if some44:
+        np.copyto(out, C0)
+    if some44 != size:
+        other44 = t1 if some44 else out
         np.multiply(v, t0, t2)
         np.multiply(C8, t2, t2)
-        np.divide(t2, v23, t2)
+        np.divide(t2, v25, t2)
         np.power(t2, C5, t3)
-        np.greater(t2, C2, m1)
-        np.less(t2, C1, m2)
+        np.greater(t2, C0, m1)
+        np.less(t2, C2, m2)
         np.bitwise_and(m1, m2, m2)
-        some41 = np.count_nonzero(m2)
-        if some41:
-            np.power(t3, C6, other42)
-            np.power(t3, C2, t4)
-            np.multiply(other42, t4, t4)
+        some43 = np.count_nonzero(m2)
+        if some43:
+            np.power(t3, C6, other44)
+            np.power(t3, C0, t4)
+            np.multiply(other44, t4, t4)
             np.divide(t2, t4, t4)
-            np.subtract(t4, C0, t4)
+            np.subtract(t4, C1, t4)
             np.divide(t4, C6, t4)
             np.multiply(t3, t4, t4)
-            np.add(t3, t4, other42)
-        if some41 != size:
-            np.copyto(other42, t3, where=~m2)
-        if some42:
-            np.copyto(out, other42, where=~m0)
+            np.add(t3, t4, other44)
+        if some43 != size:
+            np.copyto(other44, t3, where=~m2)
+        if some44:
+            np.copyto(out, other44, where=~m0)
 
 
 def prepare_retract_radius_kelvin_voigt_all():
     return ()
 
 
-def block_retract_radius_kelvin_voigt_all(out, t, A, v, v_2, t_m, E, eta, t0, t1, t2, t3, t4, m0, m1, m2, f0):
+def block_retract_radius_kelvin_voigt_all(out, t, A, v, v_2, t_m, t_h, E, eta, t0, t1, t2, t3, t4, m0, m1, m2, f0):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some17 = np.count_nonzero(m0)
-    if some17:
-        np.divide(v_2, v, t0)
-        np.subtract(t, t_m, t1)
-        np.maximum(t1, f0, out=t1)
-        np.divide(eta, E, t2)
-        np.add(t1, t2, t2)
-        np.multiply(t0, t2, t2)
-        np.subtract(t_m, t2, t2)
-        np.maximum(t2, f0, out=t0)
-    if some17 != size:
+    some19 = np.count_nonzero(m0)
+    if some19:
+        np.greater(t, t_h, m1)
+        some15 = np.count_nonzero(m1)
+        if some15:
+            np.divide(v_2, v, t0)
+            np.subtract(t, t_h, t1)
+            np.divide(eta, E, t2)
+            np.add(t1, t2, t2)
+            np.multiply(t0, t2, t0)
+        if some15 != size:
+            np.copyto(t0, C0, where=~m1)
+        np.subtract(t_m, t0, t0)
+        np.maximum(t0, f0, out=t0)
+    if some19 != size:
         np.copyto(t0, t, where=~m0)
-    np.less_equal(t0, C2, m0)
-    some42 = np.count_nonzero(m0)
-    if some42:
-        np.copyto(out, C2)
-    if some42 != size:
-        other42 = t2 if some42 else out
+    np.less_equal(t0, C0, m0)
+    some44 = np.count_nonzero(m0)
+    if some44:
+        np.copyto(out, C0)
+    if some44 != size:
+        other44 = t2 if some44 else out
         np.multiply(v, t0, t1)
         np.multiply(C8, t1, t1)
         np.multiply(C9, A, t3)
         np.divide(t1, t3, t3)
         np.power(t3, C5, t1)
-        np.greater(t3, C2, m1)
-        np.less(t3, C1, m2)
+        np.greater(t3, C0, m1)
+        np.less(t3, C2, m2)
         np.bitwise_and(m1, m2, m2)
-        some41 = np.count_nonzero(m2)
-        if some41:
-            np.power(t1, C6, other42)
-            np.power(t1, C2, t4)
-            np.multiply(other42, t4, t4)
+        some43 = np.count_nonzero(m2)
+        if some43:
+            np.power(t1, C6, other44)
+            np.power(t1, C0, t4)
+            np.multiply(other44, t4, t4)
             np.divide(t3, t4, t4)
-            np.subtract(t4, C0, t4)
+            np.subtract(t4, C1, t4)
             np.divide(t4, C6, t4)
             np.multiply(t1, t4, t4)
-            np.add(t1, t4, other42)
-        if some41 != size:
-            np.copyto(other42, t1, where=~m2)
-        if some42:
-            np.copyto(out, other42, where=~m0)
+            np.add(t1, t4, other44)
+        if some43 != size:
+            np.copyto(other44, t1, where=~m2)
+        if some44:
+            np.copyto(out, other44, where=~m0)
 
 
-def retract_radius_maxwell(t, v, v_2, t_m, A, E, tau):
-    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is A.__class__ is E.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E > 1e-30) and (E < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+def retract_radius_maxwell(t, v, v_2, t_m, t_h, A, E, tau):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is A.__class__ is E.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E > 1e-30) and (E < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
         try:
             if t > t_m:
-                v8 = t - t_m
-                v11 = (v8 if v8 > 0.0 or v8 != v8 else 0.0) / tau
-                v15 = v_2 / v * expm1(v11 if v11 < 700.0 or v11 != v11 else 700.0)
-                v27 = t_m - (-tau * log1p(-(v15 if v15 < 0.9999999999999998 or v15 != v15 else 0.9999999999999998)) if v15 < 1.0 else inf)
-                v29 = v27 if v27 > 0.0 or v27 != v27 else 0.0
+                v9 = t - t_h
+                v12 = (v9 if v9 > 0.0 or v9 != v9 else 0.0) / tau
+                v18 = (t_h - t_m) / tau
+                v21 = v_2 / v * expm1(v12 if v12 < 700.0 or v12 != v12 else 700.0) * exp(v18 if v18 < 700.0 or v18 != v18 else 700.0)
+                v33 = t_m - (-tau * log1p(-(v21 if v21 < 0.9999999999999998 or v21 != v21 else 0.9999999999999998)) if v21 < 1.0 else inf)
+                v35 = v33 if v33 > 0.0 or v33 != v33 else 0.0
             else:
-                v29 = t
-            if v29 <= 0.0:
+                v35 = t
+            if v35 <= 0.0:
                 value = 0.0
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 return None
-            v36 = 5.0 * (v * v29) / (16.0 * A)
-            v38 = pow(v36, 0.16666666666666666)
-            if v36 > 0.0 and v36 < inf:
-                value = v38 + v38 * ((v36 / (pow(v38, 6.0) * pow(v38, 0.0)) - 1.0) / 6.0)
+            v42 = 5.0 * (v * v35) / (16.0 * A)
+            v44 = pow(v42, 0.16666666666666666)
+            if v42 > 0.0 and v42 < inf:
+                value = v44 + v44 * ((v42 / (pow(v44, 6.0) * pow(v44, 0.0)) - 1.0) / 6.0)
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 return None
-            value = v38
+            value = v44
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             return None
@@ -915,155 +956,166 @@ def retract_radius_maxwell(t, v, v_2, t_m, A, E, tau):
     return None
 
 
-def prepare_retract_radius_maxwell_t(A, v, v_2, t_m, E, tau):
-    v6 = v_2 / v
-    v17 = np.negative(tau)
-    v34 = (16.0) * A
-    return (v, t_m, tau, v6, v17, v34)
+def prepare_retract_radius_maxwell_t(A, v, v_2, t_m, t_h, E, tau):
+    v7 = v_2 / v
+    v16 = t_h - t_m
+    v17 = v16 / tau
+    v18 = np.minimum(v17, (700.0))
+    v19 = np.exp(v18)
+    v23 = np.negative(tau)
+    v40 = (16.0) * A
+    return (v, t_m, t_h, tau, v7, v19, v23, v40)
 
 
-def block_retract_radius_maxwell_t(out, t, v, t_m, tau, v6, v17, v34, t0, t1, t2, t3, t4, m0, m1, m2, f0, f1, f2):
+def block_retract_radius_maxwell_t(out, t, v, t_m, t_h, tau, v7, v19, v23, v40, t0, t1, t2, t3, t4, m0, m1, m2, f0, f1, f2):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some28 = np.count_nonzero(m0)
-    if some28:
-        np.subtract(t, t_m, t0)
+    some34 = np.count_nonzero(m0)
+    if some34:
+        np.subtract(t, t_h, t0)
         np.maximum(t0, f0, out=t0)
         np.divide(t0, tau, t0)
         np.minimum(t0, f1, out=t0)
         np.expm1(t0, t0)
-        np.multiply(v6, t0, t0)
-        np.less(t0, C0, m1)
-        some24 = np.count_nonzero(m1)
-        if some24:
+        np.multiply(v7, t0, t0)
+        np.multiply(t0, v19, t0)
+        np.less(t0, C1, m1)
+        some30 = np.count_nonzero(m1)
+        if some30:
             np.minimum(t0, f2, out=t1)
             np.negative(t1, t1)
             np.log1p(t1, t1)
-            np.multiply(v17, t1, t1)
-        if some24 != size:
-            np.copyto(t1, C1, where=~m1)
+            np.multiply(v23, t1, t1)
+        if some30 != size:
+            np.copyto(t1, C2, where=~m1)
         np.subtract(t_m, t1, t1)
         np.maximum(t1, f0, out=t0)
-    if some28 != size:
+    if some34 != size:
         np.copyto(t0, t, where=~m0)
-    np.less_equal(t0, C2, m0)
-    some51 = np.count_nonzero(m0)
-    if some51:
-        np.copyto(out, C2)
-    if some51 != size:
-        other51 = t1 if some51 else out
+    np.less_equal(t0, C0, m0)
+    some57 = np.count_nonzero(m0)
+    if some57:
+        np.copyto(out, C0)
+    if some57 != size:
+        other57 = t1 if some57 else out
         np.multiply(v, t0, t2)
         np.multiply(C8, t2, t2)
-        np.divide(t2, v34, t2)
+        np.divide(t2, v40, t2)
         np.power(t2, C5, t3)
-        np.greater(t2, C2, m1)
-        np.less(t2, C1, m2)
+        np.greater(t2, C0, m1)
+        np.less(t2, C2, m2)
         np.bitwise_and(m1, m2, m2)
-        some50 = np.count_nonzero(m2)
-        if some50:
-            np.power(t3, C6, other51)
-            np.power(t3, C2, t4)
-            np.multiply(other51, t4, t4)
+        some56 = np.count_nonzero(m2)
+        if some56:
+            np.power(t3, C6, other57)
+            np.power(t3, C0, t4)
+            np.multiply(other57, t4, t4)
             np.divide(t2, t4, t4)
-            np.subtract(t4, C0, t4)
+            np.subtract(t4, C1, t4)
             np.divide(t4, C6, t4)
             np.multiply(t3, t4, t4)
-            np.add(t3, t4, other51)
-        if some50 != size:
-            np.copyto(other51, t3, where=~m2)
-        if some51:
-            np.copyto(out, other51, where=~m0)
+            np.add(t3, t4, other57)
+        if some56 != size:
+            np.copyto(other57, t3, where=~m2)
+        if some57:
+            np.copyto(out, other57, where=~m0)
 
 
 def prepare_retract_radius_maxwell_all():
     return ()
 
 
-def block_retract_radius_maxwell_all(out, t, A, v, v_2, t_m, E, tau, t0, t1, t2, t3, t4, m0, m1, m2, f0, f1, f2):
+def block_retract_radius_maxwell_all(out, t, A, v, v_2, t_m, t_h, E, tau, t0, t1, t2, t3, t4, m0, m1, m2, f0, f1, f2):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some28 = np.count_nonzero(m0)
-    if some28:
+    some34 = np.count_nonzero(m0)
+    if some34:
         np.divide(v_2, v, t0)
-        np.subtract(t, t_m, t1)
+        np.subtract(t, t_h, t1)
         np.maximum(t1, f0, out=t1)
         np.divide(t1, tau, t1)
         np.minimum(t1, f1, out=t1)
         np.expm1(t1, t1)
         np.multiply(t0, t1, t1)
-        np.less(t1, C0, m1)
-        some24 = np.count_nonzero(m1)
-        if some24:
-            np.negative(tau, t0)
-            np.minimum(t1, f2, out=t2)
+        np.subtract(t_h, t_m, t0)
+        np.divide(t0, tau, t0)
+        np.minimum(t0, f1, out=t0)
+        np.exp(t0, t0)
+        np.multiply(t1, t0, t0)
+        np.less(t0, C1, m1)
+        some30 = np.count_nonzero(m1)
+        if some30:
+            np.negative(tau, t1)
+            np.minimum(t0, f2, out=t2)
             np.negative(t2, t2)
             np.log1p(t2, t2)
-            np.multiply(t0, t2, t0)
-        if some24 != size:
-            np.copyto(t0, C1, where=~m1)
-        np.subtract(t_m, t0, t0)
-        np.maximum(t0, f0, out=t0)
-    if some28 != size:
+            np.multiply(t1, t2, t1)
+        if some30 != size:
+            np.copyto(t1, C2, where=~m1)
+        np.subtract(t_m, t1, t1)
+        np.maximum(t1, f0, out=t0)
+    if some34 != size:
         np.copyto(t0, t, where=~m0)
-    np.less_equal(t0, C2, m0)
-    some51 = np.count_nonzero(m0)
-    if some51:
-        np.copyto(out, C2)
-    if some51 != size:
-        other51 = t1 if some51 else out
+    np.less_equal(t0, C0, m0)
+    some57 = np.count_nonzero(m0)
+    if some57:
+        np.copyto(out, C0)
+    if some57 != size:
+        other57 = t1 if some57 else out
         np.multiply(v, t0, t2)
         np.multiply(C8, t2, t2)
         np.multiply(C9, A, t3)
         np.divide(t2, t3, t3)
         np.power(t3, C5, t2)
-        np.greater(t3, C2, m1)
-        np.less(t3, C1, m2)
+        np.greater(t3, C0, m1)
+        np.less(t3, C2, m2)
         np.bitwise_and(m1, m2, m2)
-        some50 = np.count_nonzero(m2)
-        if some50:
-            np.power(t2, C6, other51)
-            np.power(t2, C2, t4)
-            np.multiply(other51, t4, t4)
+        some56 = np.count_nonzero(m2)
+        if some56:
+            np.power(t2, C6, other57)
+            np.power(t2, C0, t4)
+            np.multiply(other57, t4, t4)
             np.divide(t3, t4, t4)
-            np.subtract(t4, C0, t4)
+            np.subtract(t4, C1, t4)
             np.divide(t4, C6, t4)
             np.multiply(t2, t4, t4)
-            np.add(t2, t4, other51)
-        if some50 != size:
-            np.copyto(other51, t2, where=~m2)
-        if some51:
-            np.copyto(out, other51, where=~m0)
+            np.add(t2, t4, other57)
+        if some56 != size:
+            np.copyto(other57, t2, where=~m2)
+        if some57:
+            np.copyto(out, other57, where=~m0)
 
 
-def retract_radius_power_creep(t, v, v_2, t_m, A, E, alpha, t_0):
-    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is A.__class__ is E.__class__ is alpha.__class__ is t_0.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E > 1e-30) and (E < 1e+30) and (alpha > 1e-30) and (alpha < 1.0) and (t_0 > 1e-30) and (t_0 < 1e+30):
+def retract_radius_power_creep(t, v, v_2, t_m, t_h, A, E, alpha, t_0):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is A.__class__ is E.__class__ is alpha.__class__ is t_0.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E > 1e-30) and (E < 1e+30) and (alpha > 1e-30) and (alpha < 1.0) and (t_0 > 1e-30) and (t_0 < 1e+30):
         try:
             if t > t_m:
-                v9 = t - t_m
-                v15 = log1p(v_2 / v) / (1.0 - alpha)
-                v21 = t_m - (v9 if v9 > 0.0 or v9 != v9 else 0.0) * expm1(v15 if v15 < 700.0 or v15 != v15 else 700.0)
-                v23 = v21 if v21 > 0.0 or v21 != v21 else 0.0
+                v12 = t - t_m
+                v17 = 1.0 - alpha
+                v22 = log1p(v_2 / v * pow((t - t_h) / v12 if t > t_h else 0.0, v17)) / v17
+                v28 = t_m - (v12 if v12 > 0.0 or v12 != v12 else 0.0) * expm1(v22 if v22 < 700.0 or v22 != v22 else 700.0)
+                v30 = v28 if v28 > 0.0 or v28 != v28 else 0.0
             else:
-                v23 = t
-            if v23 <= 0.0:
+                v30 = t
+            if v30 <= 0.0:
                 value = 0.0
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 return None
-            v30 = 5.0 * (v * v23) / (16.0 * A)
-            v32 = pow(v30, 0.16666666666666666)
-            if v30 > 0.0 and v30 < inf:
-                value = v32 + v32 * ((v30 / (pow(v32, 6.0) * pow(v32, 0.0)) - 1.0) / 6.0)
+            v37 = 5.0 * (v * v30) / (16.0 * A)
+            v39 = pow(v37, 0.16666666666666666)
+            if v37 > 0.0 and v37 < inf:
+                value = v39 + v39 * ((v37 / (pow(v39, 6.0) * pow(v39, 0.0)) - 1.0) / 6.0)
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 return None
-            value = v32
+            value = v39
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             return None
@@ -1072,123 +1124,141 @@ def retract_radius_power_creep(t, v, v_2, t_m, A, E, alpha, t_0):
     return None
 
 
-def prepare_retract_radius_power_creep_t(A, v, v_2, t_m, E, alpha, t_0):
-    v6 = v_2 / v
-    v10 = np.log1p(v6)
-    v12 = (1.0) - alpha
-    v13 = v10 / v12
-    v15 = np.minimum(v13, (700.0))
-    v16 = np.expm1(v15)
-    v27 = (16.0) * A
-    return (v, t_m, v16, v27)
+def prepare_retract_radius_power_creep_t(A, v, v_2, t_m, t_h, E, alpha, t_0):
+    v7 = v_2 / v
+    v15 = (1.0) - alpha
+    v34 = (16.0) * A
+    return (v, t_m, t_h, v7, v15, v34)
 
 
-def block_retract_radius_power_creep_t(out, t, v, t_m, v16, v27, t0, t1, t2, t3, t4, m0, m1, m2, f0):
+def block_retract_radius_power_creep_t(out, t, v, t_m, t_h, v7, v15, v34, t0, t1, t2, t3, t4, m0, m1, m2, f0, f1):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some21 = np.count_nonzero(m0)
-    if some21:
+    some28 = np.count_nonzero(m0)
+    if some28:
+        np.greater(t, t_h, m1)
         np.subtract(t, t_m, t0)
+        some13 = np.count_nonzero(m1)
+        if some13:
+            np.subtract(t, t_h, t1)
+            np.divide(t1, t0, t1)
+        if some13 != size:
+            np.copyto(t1, C0, where=~m1)
         np.maximum(t0, f0, out=t0)
-        np.multiply(t0, v16, t0)
-        np.subtract(t_m, t0, t0)
-        np.maximum(t0, f0, out=t0)
-    if some21 != size:
+        np.power(t1, v15, t1)
+        np.multiply(v7, t1, t1)
+        np.log1p(t1, t1)
+        np.divide(t1, v15, t1)
+        np.minimum(t1, f1, out=t1)
+        np.expm1(t1, t1)
+        np.multiply(t0, t1, t1)
+        np.subtract(t_m, t1, t1)
+        np.maximum(t1, f0, out=t0)
+    if some28 != size:
         np.copyto(t0, t, where=~m0)
-    np.less_equal(t0, C2, m0)
-    some45 = np.count_nonzero(m0)
-    if some45:
-        np.copyto(out, C2)
-    if some45 != size:
-        other45 = t1 if some45 else out
+    np.less_equal(t0, C0, m0)
+    some52 = np.count_nonzero(m0)
+    if some52:
+        np.copyto(out, C0)
+    if some52 != size:
+        other52 = t1 if some52 else out
         np.multiply(v, t0, t2)
         np.multiply(C8, t2, t2)
-        np.divide(t2, v27, t2)
+        np.divide(t2, v34, t2)
         np.power(t2, C5, t3)
-        np.greater(t2, C2, m1)
-        np.less(t2, C1, m2)
+        np.greater(t2, C0, m1)
+        np.less(t2, C2, m2)
         np.bitwise_and(m1, m2, m2)
-        some44 = np.count_nonzero(m2)
-        if some44:
-            np.power(t3, C6, other45)
-            np.power(t3, C2, t4)
-            np.multiply(other45, t4, t4)
+        some51 = np.count_nonzero(m2)
+        if some51:
+            np.power(t3, C6, other52)
+            np.power(t3, C0, t4)
+            np.multiply(other52, t4, t4)
             np.divide(t2, t4, t4)
-            np.subtract(t4, C0, t4)
+            np.subtract(t4, C1, t4)
             np.divide(t4, C6, t4)
             np.multiply(t3, t4, t4)
-            np.add(t3, t4, other45)
-        if some44 != size:
-            np.copyto(other45, t3, where=~m2)
-        if some45:
-            np.copyto(out, other45, where=~m0)
+            np.add(t3, t4, other52)
+        if some51 != size:
+            np.copyto(other52, t3, where=~m2)
+        if some52:
+            np.copyto(out, other52, where=~m0)
 
 
 def prepare_retract_radius_power_creep_all():
     return ()
 
 
-def block_retract_radius_power_creep_all(out, t, A, v, v_2, t_m, E, alpha, t_0, t0, t1, t2, t3, t4, m0, m1, m2, f0, f1):
+def block_retract_radius_power_creep_all(out, t, A, v, v_2, t_m, t_h, E, alpha, t_0, t0, t1, t2, t3, t4, m0, m1, m2, f0, f1):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some21 = np.count_nonzero(m0)
-    if some21:
+    some28 = np.count_nonzero(m0)
+    if some28:
         np.divide(v_2, v, t0)
+        np.greater(t, t_h, m1)
         np.subtract(t, t_m, t1)
+        some13 = np.count_nonzero(m1)
+        if some13:
+            np.subtract(t, t_h, t2)
+            np.divide(t2, t1, t2)
+        if some13 != size:
+            np.copyto(t2, C0, where=~m1)
+        np.subtract(C1, alpha, t3)
         np.maximum(t1, f0, out=t1)
-        np.log1p(t0, t0)
-        np.subtract(C0, alpha, t2)
-        np.divide(t0, t2, t2)
-        np.minimum(t2, f1, out=t2)
-        np.expm1(t2, t2)
-        np.multiply(t1, t2, t2)
-        np.subtract(t_m, t2, t2)
-        np.maximum(t2, f0, out=t0)
-    if some21 != size:
+        np.power(t2, t3, t2)
+        np.multiply(t0, t2, t2)
+        np.log1p(t2, t2)
+        np.divide(t2, t3, t3)
+        np.minimum(t3, f1, out=t3)
+        np.expm1(t3, t3)
+        np.multiply(t1, t3, t3)
+        np.subtract(t_m, t3, t3)
+        np.maximum(t3, f0, out=t0)
+    if some28 != size:
         np.copyto(t0, t, where=~m0)
-    np.less_equal(t0, C2, m0)
-    some45 = np.count_nonzero(m0)
-    if some45:
-        np.copyto(out, C2)
-    if some45 != size:
-        other45 = t2 if some45 else out
+    np.less_equal(t0, C0, m0)
+    some52 = np.count_nonzero(m0)
+    if some52:
+        np.copyto(out, C0)
+    if some52 != size:
+        other52 = t3 if some52 else out
         np.multiply(v, t0, t1)
         np.multiply(C8, t1, t1)
-        np.multiply(C9, A, t3)
-        np.divide(t1, t3, t3)
-        np.power(t3, C5, t1)
-        np.greater(t3, C2, m1)
-        np.less(t3, C1, m2)
+        np.multiply(C9, A, t2)
+        np.divide(t1, t2, t2)
+        np.power(t2, C5, t1)
+        np.greater(t2, C0, m1)
+        np.less(t2, C2, m2)
         np.bitwise_and(m1, m2, m2)
-        some44 = np.count_nonzero(m2)
-        if some44:
-            np.power(t1, C6, other45)
-            np.power(t1, C2, t4)
-            np.multiply(other45, t4, t4)
-            np.divide(t3, t4, t4)
-            np.subtract(t4, C0, t4)
+        some51 = np.count_nonzero(m2)
+        if some51:
+            np.power(t1, C6, other52)
+            np.power(t1, C0, t4)
+            np.multiply(other52, t4, t4)
+            np.divide(t2, t4, t4)
+            np.subtract(t4, C1, t4)
             np.divide(t4, C6, t4)
             np.multiply(t1, t4, t4)
-            np.add(t1, t4, other45)
-        if some44 != size:
-            np.copyto(other45, t1, where=~m2)
-        if some45:
-            np.copyto(out, other45, where=~m0)
+            np.add(t1, t4, other52)
+        if some51 != size:
+            np.copyto(other52, t1, where=~m2)
+        if some52:
+            np.copyto(out, other52, where=~m0)
 
 
-def retract_radius_standard_solid(t, v, v_2, t_m, A, E_inf, E_1, tau):
-    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is A.__class__ is E_inf.__class__ is E_1.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_inf > 1e-30) and (E_inf < 1e+30) and (E_1 > 1e-30) and (E_1 < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+def retract_radius_standard_solid(t, v, v_2, t_m, t_h, A, E_inf, E_1, tau):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is A.__class__ is E_inf.__class__ is E_1.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_inf > 1e-30) and (E_inf < 1e+30) and (E_1 > 1e-30) and (E_1 < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
         try:
-            value = bodies._retract_radius_standard_solid(t, v, v_2, t_m, A, E_inf, E_1, tau)
+            value = bodies._retract_radius_standard_solid(t, v, v_2, t_m, t_h, A, E_inf, E_1, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, A, E_inf, E_1, tau):
+            if value != value and ordinary(t, v, v_2, t_m, t_h, A, E_inf, E_1, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -1232,7 +1302,7 @@ def prepare_step_force_kelvin_voigt_t(d, A, E, eta):
 
 def block_step_force_kelvin_voigt_t(out, t, E, v29, m0):
     size = out.size
-    np.greater(t, C2, m0)
+    np.greater(t, C0, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
@@ -1240,7 +1310,7 @@ def block_step_force_kelvin_voigt_t(out, t, E, v29, m0):
     if some7:
         np.copyto(out, E)
     if some7 != size:
-        np.copyto(out, C1, where=~m0)
+        np.copyto(out, C2, where=~m0)
     np.multiply(out, v29, out)
 
 
@@ -1250,7 +1320,7 @@ def prepare_step_force_kelvin_voigt_all():
 
 def block_step_force_kelvin_voigt_all(out, t, d, A, E, eta, t0, t1, t2, t3, t4, m0, m1):
     size = out.size
-    np.greater(t, C2, m0)
+    np.greater(t, C0, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
@@ -1258,21 +1328,21 @@ def block_step_force_kelvin_voigt_all(out, t, d, A, E, eta, t0, t1, t2, t3, t4, 
     if some7:
         np.copyto(out, E)
     if some7 != size:
-        np.copyto(out, C1, where=~m0)
+        np.copyto(out, C2, where=~m0)
     np.multiply(C3, d, t0)
     np.multiply(C4, d, t1)
     np.divide(t1, A, t1)
     np.power(t1, C5, t2)
-    np.greater(t1, C2, m0)
-    np.less(t1, C1, m1)
+    np.greater(t1, C0, m0)
+    np.less(t1, C2, m1)
     np.bitwise_and(m0, m1, m1)
     some28 = np.count_nonzero(m1)
     if some28:
         np.power(t2, C6, t3)
-        np.power(t2, C2, t4)
+        np.power(t2, C0, t4)
         np.multiply(t3, t4, t4)
         np.divide(t1, t4, t4)
-        np.subtract(t4, C0, t4)
+        np.subtract(t4, C1, t4)
         np.divide(t4, C6, t4)
         np.multiply(t2, t4, t4)
         np.add(t2, t4, t3)
@@ -1345,16 +1415,16 @@ def block_step_force_maxwell_all(out, t, d, A, E, tau, t0, t1, t2, t3, t4, m0, m
     np.multiply(C4, d, t1)
     np.divide(t1, A, t1)
     np.power(t1, C5, t2)
-    np.greater(t1, C2, m0)
-    np.less(t1, C1, m1)
+    np.greater(t1, C0, m0)
+    np.less(t1, C2, m1)
     np.bitwise_and(m0, m1, m1)
     some31 = np.count_nonzero(m1)
     if some31:
         np.power(t2, C6, t3)
-        np.power(t2, C2, t4)
+        np.power(t2, C0, t4)
         np.multiply(t3, t4, t4)
         np.divide(t1, t4, t4)
-        np.subtract(t4, C0, t4)
+        np.subtract(t4, C1, t4)
         np.divide(t4, C6, t4)
         np.multiply(t2, t4, t4)
         np.add(t2, t4, t3)
@@ -1434,16 +1504,16 @@ def block_step_force_power_creep_all(out, t, d, A, E, alpha, t_0, t0, t1, t2, t3
     np.multiply(C4, d, out)
     np.divide(out, A, out)
     np.power(out, C5, t2)
-    np.greater(out, C2, m0)
-    np.less(out, C1, m1)
+    np.greater(out, C0, m0)
+    np.less(out, C2, m1)
     np.bitwise_and(m0, m1, m1)
     some36 = np.count_nonzero(m1)
     if some36:
         np.power(t2, C6, t3)
-        np.power(t2, C2, t4)
+        np.power(t2, C0, t4)
         np.multiply(t3, t4, t4)
         np.divide(out, t4, t4)
-        np.subtract(t4, C0, t4)
+        np.subtract(t4, C1, t4)
         np.divide(t4, C6, t4)
         np.multiply(t2, t4, t4)
         np.add(t2, t4, t3)
@@ -1518,16 +1588,16 @@ def block_step_force_standard_solid_all(out, t, d, A, E_inf, E_1, tau, t0, t1, t
     np.multiply(C4, d, t1)
     np.divide(t1, A, t1)
     np.power(t1, C5, t2)
-    np.greater(t1, C2, m0)
-    np.less(t1, C1, m1)
+    np.greater(t1, C0, m0)
+    np.less(t1, C2, m1)
     np.bitwise_and(m0, m1, m1)
     some33 = np.count_nonzero(m1)
     if some33:
         np.power(t2, C6, t3)
-        np.power(t2, C2, t4)
+        np.power(t2, C0, t4)
         np.multiply(t3, t4, t4)
         np.divide(t1, t4, t4)
-        np.subtract(t4, C0, t4)
+        np.subtract(t4, C1, t4)
         np.divide(t4, C6, t4)
         np.multiply(t2, t4, t4)
         np.add(t2, t4, t3)
@@ -1576,16 +1646,16 @@ def block_step_load_radius_kelvin_voigt_t(out, t, F, E, eta, v5, v15, t0, t1, t2
     np.multiply(C11, t0, t0)
     np.divide(t0, v15, t0)
     np.power(t0, C12, t1)
-    np.greater(t0, C2, m0)
-    np.less(t0, C1, m1)
+    np.greater(t0, C0, m0)
+    np.less(t0, C2, m1)
     np.bitwise_and(m0, m1, m1)
     some34 = np.count_nonzero(m1)
     if some34:
         np.power(t1, C13, out)
-        np.power(t1, C2, t2)
+        np.power(t1, C0, t2)
         np.multiply(out, t2, t2)
         np.divide(t0, t2, t2)
-        np.subtract(t2, C0, t2)
+        np.subtract(t2, C1, t2)
         np.divide(t2, C13, t2)
         np.multiply(t1, t2, t2)
         np.add(t1, t2, out)
@@ -1613,16 +1683,16 @@ def block_step_load_radius_kelvin_voigt_all(out, t, F, A, E, eta, t0, t1, t2, m0
     np.multiply(C14, A, t1)
     np.divide(t0, t1, t1)
     np.power(t1, C12, t0)
-    np.greater(t1, C2, m0)
-    np.less(t1, C1, m1)
+    np.greater(t1, C0, m0)
+    np.less(t1, C2, m1)
     np.bitwise_and(m0, m1, m1)
     some34 = np.count_nonzero(m1)
     if some34:
         np.power(t0, C13, out)
-        np.power(t0, C2, t2)
+        np.power(t0, C0, t2)
         np.multiply(out, t2, t2)
         np.divide(t1, t2, t2)
-        np.subtract(t2, C0, t2)
+        np.subtract(t2, C1, t2)
         np.divide(t2, C13, t2)
         np.multiply(t0, t2, t2)
         np.add(t0, t2, out)
@@ -1657,22 +1727,22 @@ def block_step_load_radius_maxwell_t(out, t, F, E, tau, v13, t0, t1, t2, m0, m1)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    np.add(C0, t0, t0)
+    np.add(C1, t0, t0)
     np.divide(t0, E, t0)
     np.multiply(F, t0, t0)
     np.multiply(C11, t0, t0)
     np.divide(t0, v13, t0)
     np.power(t0, C12, t1)
-    np.greater(t0, C2, m0)
-    np.less(t0, C1, m1)
+    np.greater(t0, C0, m0)
+    np.less(t0, C2, m1)
     np.bitwise_and(m0, m1, m1)
     some31 = np.count_nonzero(m1)
     if some31:
         np.power(t1, C13, out)
-        np.power(t1, C2, t2)
+        np.power(t1, C0, t2)
         np.multiply(out, t2, t2)
         np.divide(t0, t2, t2)
-        np.subtract(t2, C0, t2)
+        np.subtract(t2, C1, t2)
         np.divide(t2, C13, t2)
         np.multiply(t1, t2, t2)
         np.add(t1, t2, out)
@@ -1690,23 +1760,23 @@ def block_step_load_radius_maxwell_all(out, t, F, A, E, tau, t0, t1, t2, m0, m1)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    np.add(C0, t0, t0)
+    np.add(C1, t0, t0)
     np.divide(t0, E, t0)
     np.multiply(F, t0, t0)
     np.multiply(C11, t0, t0)
     np.multiply(C14, A, t1)
     np.divide(t0, t1, t1)
     np.power(t1, C12, t0)
-    np.greater(t1, C2, m0)
-    np.less(t1, C1, m1)
+    np.greater(t1, C0, m0)
+    np.less(t1, C2, m1)
     np.bitwise_and(m0, m1, m1)
     some31 = np.count_nonzero(m1)
     if some31:
         np.power(t0, C13, out)
-        np.power(t0, C2, t2)
+        np.power(t0, C0, t2)
         np.multiply(out, t2, t2)
         np.divide(t1, t2, t2)
-        np.subtract(t2, C0, t2)
+        np.subtract(t2, C1, t2)
         np.divide(t2, C13, t2)
         np.multiply(t0, t2, t2)
         np.add(t0, t2, out)
@@ -1750,16 +1820,16 @@ def block_step_load_radius_power_creep_t(out, t, F, E, alpha, t_0, v13, t0, t1, 
     np.multiply(C11, t0, t0)
     np.divide(t0, v13, t0)
     np.power(t0, C12, t1)
-    np.greater(t0, C2, m0)
-    np.less(t0, C1, m1)
+    np.greater(t0, C0, m0)
+    np.less(t0, C2, m1)
     np.bitwise_and(m0, m1, m1)
     some32 = np.count_nonzero(m1)
     if some32:
         np.power(t1, C13, out)
-        np.power(t1, C2, t2)
+        np.power(t1, C0, t2)
         np.multiply(out, t2, t2)
         np.divide(t0, t2, t2)
-        np.subtract(t2, C0, t2)
+        np.subtract(t2, C1, t2)
         np.divide(t2, C13, t2)
         np.multiply(t1, t2, t2)
         np.add(t1, t2, out)
@@ -1784,16 +1854,16 @@ def block_step_load_radius_power_creep_all(out, t, F, A, E, alpha, t_0, t0, t1, 
     np.multiply(C14, A, t1)
     np.divide(t0, t1, t1)
     np.power(t1, C12, t0)
-    np.greater(t1, C2, m0)
-    np.less(t1, C1, m1)
+    np.greater(t1, C0, m0)
+    np.less(t1, C2, m1)
     np.bitwise_and(m0, m1, m1)
     some32 = np.count_nonzero(m1)
     if some32:
         np.power(t0, C13, out)
-        np.power(t0, C2, t2)
+        np.power(t0, C0, t2)
         np.multiply(out, t2, t2)
         np.divide(t1, t2, t2)
-        np.subtract(t2, C0, t2)
+        np.subtract(t2, C1, t2)
         np.divide(t2, C13, t2)
         np.multiply(t0, t2, t2)
         np.add(t0, t2, out)
@@ -1846,16 +1916,16 @@ def block_step_load_radius_standard_solid_t(out, t, F, E_inf, tau, v8, v11, v12,
     np.multiply(C11, t0, t0)
     np.divide(t0, v22, t0)
     np.power(t0, C12, t1)
-    np.greater(t0, C2, m0)
-    np.less(t0, C1, m1)
+    np.greater(t0, C0, m0)
+    np.less(t0, C2, m1)
     np.bitwise_and(m0, m1, m1)
     some40 = np.count_nonzero(m1)
     if some40:
         np.power(t1, C13, out)
-        np.power(t1, C2, t2)
+        np.power(t1, C0, t2)
         np.multiply(out, t2, t2)
         np.divide(t0, t2, t2)
-        np.subtract(t2, C0, t2)
+        np.subtract(t2, C1, t2)
         np.divide(t2, C13, t2)
         np.multiply(t1, t2, t2)
         np.add(t1, t2, out)
@@ -1876,7 +1946,7 @@ def block_step_load_radius_standard_solid_all(out, t, F, A, E_inf, E_1, tau, t0,
     np.divide(t, tau, t1)
     np.divide(E_inf, t0, t2)
     np.multiply(t1, t2, t2)
-    np.divide(C0, t0, t1)
+    np.divide(C1, t0, t1)
     np.divide(E_1, t0, t0)
     np.negative(t2, t2)
     np.expm1(t2, t2)
@@ -1888,16 +1958,16 @@ def block_step_load_radius_standard_solid_all(out, t, F, A, E_inf, E_1, tau, t0,
     np.multiply(C14, A, t1)
     np.divide(t2, t1, t1)
     np.power(t1, C12, t2)
-    np.greater(t1, C2, m0)
-    np.less(t1, C1, m1)
+    np.greater(t1, C0, m0)
+    np.less(t1, C2, m1)
     np.bitwise_and(m0, m1, m1)
     some40 = np.count_nonzero(m1)
     if some40:
         np.power(t2, C13, out)
-        np.power(t2, C2, t0)
+        np.power(t2, C0, t0)
         np.multiply(out, t0, t0)
         np.divide(t1, t0, t0)
-        np.subtract(t0, C0, t0)
+        np.subtract(t0, C1, t0)
         np.divide(t0, C13, t0)
         np.multiply(t2, t0, t0)
         np.add(t2, t0, out)
@@ -1906,46 +1976,43 @@ def block_step_load_radius_standard_solid_all(out, t, F, A, E_inf, E_1, tau, t0,
 
 
 BLOCKS = {
-    ('_contact_time_kelvin_voigt', 0, 'v', 'v_2', 't_m', 'E', 'eta'): {
-        ('v', 'v_2', 't_m', 'E', 'eta'): (('v', 'v_2', 't_m', 'E', 'eta'), prepare_contact_time_kelvin_voigt_all_signed, block_contact_time_kelvin_voigt_all_signed, 1, 0, (0.0,), False),
+    ('_contact_time_kelvin_voigt', 0, 'v', 'v_2', 't_m', 't_h', 'E', 'eta'): {
+        ('v', 'v_2', 't_m', 't_h', 'E', 'eta'): (('v', 'v_2', 't_m', 't_h', 'E', 'eta'), prepare_contact_time_kelvin_voigt_all_signed, block_contact_time_kelvin_voigt_all_signed, 1, 0, (0.0,), False),
     },
-    ('_contact_time_maxwell', 0, 'v', 'v_2', 't_m', 'E', 'tau'): {
-        ('v', 'v_2', 't_m', 'E', 'tau'): (('v', 'v_2', 't_m', 'E', 'tau'), prepare_contact_time_maxwell_all_signed, block_contact_time_maxwell_all_signed, 1, 0, (), False),
+    ('_contact_time_maxwell', 0, 'v', 'v_2', 't_m', 't_h', 'E', 'tau'): {
+        ('v', 'v_2', 't_m', 't_h', 'E', 'tau'): (('v', 'v_2', 't_m', 't_h', 'E', 'tau'), prepare_contact_time_maxwell_all_signed, block_contact_time_maxwell_all_signed, 2, 0, (), False),
     },
-    ('_contact_time_power_creep', 0, 'v', 'v_2', 't_m', 'E', 'alpha', 't_0'): {
-        ('v', 'v_2', 't_m', 'E', 'alpha', 't_0'): (('v', 'v_2', 't_m', 'E', 'alpha', 't_0'), prepare_contact_time_power_creep_all_signed, block_contact_time_power_creep_all_signed, 1, 0, (700.0,), False),
+    ('_earlier_time_kelvin_voigt', 1, 't', 'v', 'v_2', 't_m', 't_h', 'E', 'eta'): {
+        ('t',): (('t',), prepare_earlier_time_kelvin_voigt_t, block_earlier_time_kelvin_voigt_t, 0, 2, (0.0,), False),
+        ('t', 'v', 'v_2', 't_m', 't_h', 'E', 'eta'): (('t', 'v', 'v_2', 't_m', 't_h', 'E', 'eta'), prepare_earlier_time_kelvin_voigt_all, block_earlier_time_kelvin_voigt_all, 2, 2, (0.0,), False),
     },
-    ('_earlier_time_kelvin_voigt', 1, 't', 'v', 'v_2', 't_m', 'E', 'eta'): {
-        ('t',): (('t',), prepare_earlier_time_kelvin_voigt_t, block_earlier_time_kelvin_voigt_t, 0, 1, (0.0,), False),
-        ('t', 'v', 'v_2', 't_m', 'E', 'eta'): (('t', 'v', 'v_2', 't_m', 'E', 'eta'), prepare_earlier_time_kelvin_voigt_all, block_earlier_time_kelvin_voigt_all, 2, 1, (0.0,), False),
-    },
-    ('_earlier_time_maxwell', 1, 't', 'v', 'v_2', 't_m', 'E', 'tau'): {
+    ('_earlier_time_maxwell', 1, 't', 'v', 'v_2', 't_m', 't_h', 'E', 'tau'): {
         ('t',): (('t',), prepare_earlier_time_maxwell_t, block_earlier_time_maxwell_t, 1, 2, (0.0, 700.0, 0.9999999999999998), False),
-        ('t', 'v', 'v_2', 't_m', 'E', 'tau'): (('t', 'v', 'v_2', 't_m', 'E', 'tau'), prepare_earlier_time_maxwell_all, block_earlier_time_maxwell_all, 2, 2, (0.0, 700.0, 0.9999999999999998), False),
+        ('t', 'v', 'v_2', 't_m', 't_h', 'E', 'tau'): (('t', 'v', 'v_2', 't_m', 't_h', 'E', 'tau'), prepare_earlier_time_maxwell_all, block_earlier_time_maxwell_all, 2, 2, (0.0, 700.0, 0.9999999999999998), False),
     },
-    ('_earlier_time_power_creep', 1, 't', 'v', 'v_2', 't_m', 'E', 'alpha', 't_0'): {
-        ('t',): (('t',), prepare_earlier_time_power_creep_t, block_earlier_time_power_creep_t, 0, 1, (0.0,), False),
-        ('t', 'v', 'v_2', 't_m', 'E', 'alpha', 't_0'): (('t', 'v', 'v_2', 't_m', 'E', 'alpha', 't_0'), prepare_earlier_time_power_creep_all, block_earlier_time_power_creep_all, 2, 1, (0.0, 700.0), False),
+    ('_earlier_time_power_creep', 1, 't', 'v', 'v_2', 't_m', 't_h', 'E', 'alpha', 't_0'): {
+        ('t',): (('t',), prepare_earlier_time_power_creep_t, block_earlier_time_power_creep_t, 1, 2, (0.0, 700.0), False),
+        ('t', 'v', 'v_2', 't_m', 't_h', 'E', 'alpha', 't_0'): (('t', 'v', 'v_2', 't_m', 't_h', 'E', 'alpha', 't_0'), prepare_earlier_time_power_creep_all, block_earlier_time_power_creep_all, 3, 2, (0.0, 700.0), False),
     },
     ('_ramp_force_kelvin_voigt', 1, 't', 'A', 'v', 'E', 'eta'): {
         ('t',): (('t',), prepare_ramp_force_kelvin_voigt_t, block_ramp_force_kelvin_voigt_t, 5, 3, (), False),
         ('t', 'A', 'v', 'E', 'eta'): (('t', 'A', 'v', 'E', 'eta'), prepare_ramp_force_kelvin_voigt_all, block_ramp_force_kelvin_voigt_all, 5, 3, (), False),
     },
-    ('_retract_force_kelvin_voigt', 1, 't', 'A', 'v', 'v_2', 't_m', 'E', 'eta'): {
+    ('_retract_force_kelvin_voigt', 1, 't', 'A', 'v', 'v_2', 't_m', 't_h', 'E', 'eta'): {
         ('t',): (('t',), prepare_retract_force_kelvin_voigt_t, block_retract_force_kelvin_voigt_t, 6, 4, (0.0,), False),
-        ('t', 'A', 'v', 'v_2', 't_m', 'E', 'eta'): (('t', 'A', 'v', 'v_2', 't_m', 'E', 'eta'), prepare_retract_force_kelvin_voigt_all, block_retract_force_kelvin_voigt_all, 6, 4, (0.0,), False),
+        ('t', 'A', 'v', 'v_2', 't_m', 't_h', 'E', 'eta'): (('t', 'A', 'v', 'v_2', 't_m', 't_h', 'E', 'eta'), prepare_retract_force_kelvin_voigt_all, block_retract_force_kelvin_voigt_all, 6, 4, (0.0,), False),
     },
-    ('_retract_radius_kelvin_voigt', 1, 't', 'A', 'v', 'v_2', 't_m', 'E', 'eta'): {
+    ('_retract_radius_kelvin_voigt', 1, 't', 'A', 'v', 'v_2', 't_m', 't_h', 'E', 'eta'): {
         ('t',): (('t',), prepare_retract_radius_kelvin_voigt_t, block_retract_radius_kelvin_voigt_t, 5, 3, (0.0,), False),
-        ('t', 'A', 'v', 'v_2', 't_m', 'E', 'eta'): (('t', 'A', 'v', 'v_2', 't_m', 'E', 'eta'), prepare_retract_radius_kelvin_voigt_all, block_retract_radius_kelvin_voigt_all, 5, 3, (0.0,), False),
+        ('t', 'A', 'v', 'v_2', 't_m', 't_h', 'E', 'eta'): (('t', 'A', 'v', 'v_2', 't_m', 't_h', 'E', 'eta'), prepare_retract_radius_kelvin_voigt_all, block_retract_radius_kelvin_voigt_all, 5, 3, (0.0,), False),
     },
-    ('_retract_radius_maxwell', 1, 't', 'A', 'v', 'v_2', 't_m', 'E', 'tau'): {
+    ('_retract_radius_maxwell', 1, 't', 'A', 'v', 'v_2', 't_m', 't_h', 'E', 'tau'): {
         ('t',): (('t',), prepare_retract_radius_maxwell_t, block_retract_radius_maxwell_t, 5, 3, (0.0, 700.0, 0.9999999999999998), False),
-        ('t', 'A', 'v', 'v_2', 't_m', 'E', 'tau'): (('t', 'A', 'v', 'v_2', 't_m', 'E', 'tau'), prepare_retract_radius_maxwell_all, block_retract_radius_maxwell_all, 5, 3, (0.0, 700.0, 0.9999999999999998), False),
+        ('t', 'A', 'v', 'v_2', 't_m', 't_h', 'E', 'tau'): (('t', 'A', 'v', 'v_2', 't_m', 't_h', 'E', 'tau'), prepare_retract_radius_maxwell_all, block_retract_radius_maxwell_all, 5, 3, (0.0, 700.0, 0.9999999999999998), False),
     },
-    ('_retract_radius_power_creep', 1, 't', 'A', 'v', 'v_2', 't_m', 'E', 'alpha', 't_0'): {
-        ('t',): (('t',), prepare_retract_radius_power_creep_t, block_retract_radius_power_creep_t, 5, 3, (0.0,), False),
-        ('t', 'A', 'v', 'v_2', 't_m', 'E', 'alpha', 't_0'): (('t', 'A', 'v', 'v_2', 't_m', 'E', 'alpha', 't_0'), prepare_retract_radius_power_creep_all, block_retract_radius_power_creep_all, 5, 3, (0.0, 700.0), False),
+    ('_retract_radius_power_creep', 1, 't', 'A', 'v', 'v_2', 't_m', 't_h', 'E', 'alpha', 't_0'): {
+        ('t',): (('t',), prepare_retract_radius_power_creep_t, block_retract_radius_power_creep_t, 5, 3, (0.0, 700.0), False),
+        ('t', 'A', 'v', 'v_2', 't_m', 't_h', 'E', 'alpha', 't_0'): (('t', 'A', 'v', 'v_2', 't_m', 't_h', 'E', 'alpha', 't_0'), prepare_retract_radius_power_creep_all, block_retract_radius_power_creep_all, 5, 3, (0.0, 700.0), False),
     },
     ('_step_force_kelvin_voigt', 1, 't', 'd', 'A', 'E', 'eta'): {
         ('t',): (('t',), prepare_step_force_kelvin_voigt_t, block_step_force_kelvin_voigt_t, 0, 1, (), False),

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from ...._programs.bodies.normal import hyperboloid as normal
 from ...._programs.bodies._runtime.physics.relaxation import creep_kelvin_voigt, creep_maxwell, creep_power_creep, creep_standard_solid, relaxation_kelvin_voigt, relaxation_maxwell, relaxation_power_creep, relaxation_standard_solid
-from ...._programs.bodies._runtime.physics.retraction import earlier, end_standard_solid, lag_kelvin_voigt, lag_maxwell, lag_power_creep, lag_standard_solid
+from ...._programs.bodies._runtime.physics.retraction import earlier, end_power_creep, end_standard_solid, lag_kelvin_voigt, lag_maxwell, lag_power_creep, lag_standard_solid
 
 
 def _step_force_maxwell(t, d, theta, b, E, tau):
@@ -16,8 +16,8 @@ def _step_load_radius_maxwell(t, F, theta, b, E, tau):
     return normal._radius_from_force(F * creep_maxwell(t, E, tau), theta, b, 1.0)
 
 
-def _retract_radius_maxwell(t, v, v_2, t_m, theta, b, E, tau):
-    t_1 = earlier(t, t_m, lag_maxwell(t, t_m, v_2 / v, E, tau))
+def _retract_radius_maxwell(t, v, v_2, t_m, t_h, theta, b, E, tau):
+    t_1 = earlier(t, t_m, lag_maxwell(t, t_m, t_h, v_2 / v, E, tau))
     return 0.0 if t_1 <= 0.0 else normal._radius_from_depth(v * t_1, theta, b)
 
 
@@ -33,13 +33,13 @@ def _step_load_radius_kelvin_voigt(t, F, theta, b, E, eta):
     return normal._radius_from_force(F * creep_kelvin_voigt(t, E, eta), theta, b, 1.0)
 
 
-def _retract_radius_kelvin_voigt(t, v, v_2, t_m, theta, b, E, eta):
-    t_1 = earlier(t, t_m, lag_kelvin_voigt(t, t_m, v_2 / v, E, eta))
+def _retract_radius_kelvin_voigt(t, v, v_2, t_m, t_h, theta, b, E, eta):
+    t_1 = earlier(t, t_m, lag_kelvin_voigt(t, t_m, t_h, v_2 / v, E, eta))
     return 0.0 if t_1 <= 0.0 else normal._radius_from_depth(v * t_1, theta, b)
 
 
-def _retract_force_kelvin_voigt(t, v, v_2, t_m, theta, b, E, eta):
-    lag = lag_kelvin_voigt(t, t_m, v_2 / v, E, eta)
+def _retract_force_kelvin_voigt(t, v, v_2, t_m, t_h, theta, b, E, eta):
+    lag = lag_kelvin_voigt(t, t_m, t_h, v_2 / v, E, eta)
     t_1 = earlier(t, t_m, lag)
     back = normal._force_from_depth(v * t_1, theta, b, 1.0) * E
     return (back if t_1 > 0.0 else 0.0) if t > t_m else _ramp_force_kelvin_voigt(t, v, theta, b, E, eta)
@@ -53,17 +53,17 @@ def _step_load_radius_standard_solid(t, F, theta, b, E_inf, E_1, tau):
     return normal._radius_from_force(F * creep_standard_solid(t, E_inf, E_1, tau), theta, b, 1.0)
 
 
-def _earlier_time_standard_solid(t, v, v_2, t_m, E_inf, E_1, tau):
-    return earlier(t, t_m, lag_standard_solid(t, t_m, v_2 / v, E_inf, E_1, tau))
+def _earlier_time_standard_solid(t, v, v_2, t_m, t_h, E_inf, E_1, tau):
+    return earlier(t, t_m, lag_standard_solid(t, t_m, t_h, v_2 / v, E_inf, E_1, tau))
 
 
-def _retract_radius_standard_solid(t, v, v_2, t_m, theta, b, E_inf, E_1, tau):
-    t_1 = earlier(t, t_m, lag_standard_solid(t, t_m, v_2 / v, E_inf, E_1, tau))
+def _retract_radius_standard_solid(t, v, v_2, t_m, t_h, theta, b, E_inf, E_1, tau):
+    t_1 = earlier(t, t_m, lag_standard_solid(t, t_m, t_h, v_2 / v, E_inf, E_1, tau))
     return 0.0 if t_1 <= 0.0 else normal._radius_from_depth(v * t_1, theta, b)
 
 
-def _contact_time_standard_solid(v, v_2, t_m, E_inf, E_1, tau):
-    return end_standard_solid(v_2 / v, t_m, E_inf, E_1, tau)
+def _contact_time_standard_solid(v, v_2, t_m, t_h, E_inf, E_1, tau):
+    return end_standard_solid(v_2 / v, t_m, t_h, E_inf, E_1, tau)
 
 
 def _step_force_power_creep(t, d, theta, b, E, alpha, t_0):
@@ -74,6 +74,10 @@ def _step_load_radius_power_creep(t, F, theta, b, E, alpha, t_0):
     return normal._radius_from_force(F * creep_power_creep(t, E, alpha, t_0), theta, b, 1.0)
 
 
-def _retract_radius_power_creep(t, v, v_2, t_m, theta, b, E, alpha, t_0):
-    t_1 = earlier(t, t_m, lag_power_creep(t, t_m, v_2 / v, E, alpha, t_0))
+def _retract_radius_power_creep(t, v, v_2, t_m, t_h, theta, b, E, alpha, t_0):
+    t_1 = earlier(t, t_m, lag_power_creep(t, t_m, t_h, v_2 / v, E, alpha, t_0))
     return 0.0 if t_1 <= 0.0 else normal._radius_from_depth(v * t_1, theta, b)
+
+
+def _contact_time_power_creep(v, v_2, t_m, t_h, E, alpha, t_0):
+    return end_power_creep(v_2 / v, t_m, t_h, E, alpha, t_0)

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from ...._programs.bodies.normal import paraboloid as normal
 from ...._programs.bodies._runtime.physics.relaxation import ramp_maxwell, ramp_power_creep, ramp_standard_solid
-from ...._programs.bodies._runtime.physics.retraction import earlier, end_standard_solid, kept_maxwell, kept_power_creep, kept_standard_solid, lag_maxwell, lag_power_creep, lag_standard_solid, passed
+from ...._programs.bodies._runtime.physics.retraction import earlier, end_power_creep, end_standard_solid, kept_maxwell, kept_power_creep, kept_standard_solid, lag_maxwell, lag_power_creep, lag_standard_solid, passed
 
 
 def _ramp_force_maxwell(t, v, R, E, tau):
@@ -13,8 +13,8 @@ def _ramp_force_maxwell(t, v, R, E, tau):
     return 0.0 if t == 0.0 else force
 
 
-def _retract_force_maxwell(t, v, v_2, t_m, R, E, tau):
-    lag = lag_maxwell(t, t_m, v_2 / v, E, tau)
+def _retract_force_maxwell(t, v, v_2, t_m, t_h, R, E, tau):
+    lag = lag_maxwell(t, t_m, t_h, v_2 / v, E, tau)
     t_1 = earlier(t, t_m, lag)
     back = normal._force_from_depth(v * t_1, R, 1.0) * kept_maxwell(t, t_1, passed(t, t_m, lag), 1.5, E, tau)
     return (back if t_1 > 0.0 else 0.0) if t > t_m else _ramp_force_maxwell(t, v, R, E, tau)
@@ -25,24 +25,24 @@ def _ramp_force_standard_solid(t, v, R, E_inf, E_1, tau):
     return 0.0 if t == 0.0 else force
 
 
-def _earlier_time_standard_solid(t, v, v_2, t_m, E_inf, E_1, tau):
-    return earlier(t, t_m, lag_standard_solid(t, t_m, v_2 / v, E_inf, E_1, tau))
+def _earlier_time_standard_solid(t, v, v_2, t_m, t_h, E_inf, E_1, tau):
+    return earlier(t, t_m, lag_standard_solid(t, t_m, t_h, v_2 / v, E_inf, E_1, tau))
 
 
-def _retract_radius_standard_solid(t, v, v_2, t_m, R, E_inf, E_1, tau):
-    t_1 = earlier(t, t_m, lag_standard_solid(t, t_m, v_2 / v, E_inf, E_1, tau))
+def _retract_radius_standard_solid(t, v, v_2, t_m, t_h, R, E_inf, E_1, tau):
+    t_1 = earlier(t, t_m, lag_standard_solid(t, t_m, t_h, v_2 / v, E_inf, E_1, tau))
     return 0.0 if t_1 <= 0.0 else normal._radius_from_depth(v * t_1, R)
 
 
-def _retract_force_standard_solid(t, v, v_2, t_m, R, E_inf, E_1, tau):
-    lag = lag_standard_solid(t, t_m, v_2 / v, E_inf, E_1, tau)
+def _retract_force_standard_solid(t, v, v_2, t_m, t_h, R, E_inf, E_1, tau):
+    lag = lag_standard_solid(t, t_m, t_h, v_2 / v, E_inf, E_1, tau)
     t_1 = earlier(t, t_m, lag)
     back = normal._force_from_depth(v * t_1, R, 1.0) * kept_standard_solid(t, t_1, passed(t, t_m, lag), 1.5, E_inf, E_1, tau)
     return (back if t_1 > 0.0 else 0.0) if t > t_m else _ramp_force_standard_solid(t, v, R, E_inf, E_1, tau)
 
 
-def _contact_time_standard_solid(v, v_2, t_m, E_inf, E_1, tau):
-    return end_standard_solid(v_2 / v, t_m, E_inf, E_1, tau)
+def _contact_time_standard_solid(v, v_2, t_m, t_h, E_inf, E_1, tau):
+    return end_standard_solid(v_2 / v, t_m, t_h, E_inf, E_1, tau)
 
 
 def _ramp_force_power_creep(t, v, R, E, alpha, t_0):
@@ -50,8 +50,12 @@ def _ramp_force_power_creep(t, v, R, E, alpha, t_0):
     return 0.0 if t == 0.0 else force
 
 
-def _retract_force_power_creep(t, v, v_2, t_m, R, E, alpha, t_0):
-    lag = lag_power_creep(t, t_m, v_2 / v, E, alpha, t_0)
+def _retract_force_power_creep(t, v, v_2, t_m, t_h, R, E, alpha, t_0):
+    lag = lag_power_creep(t, t_m, t_h, v_2 / v, E, alpha, t_0)
     t_1 = earlier(t, t_m, lag)
     back = normal._force_from_depth(v * t_1, R, 1.0) * kept_power_creep(t, t_1, passed(t, t_m, lag), 1.5, E, alpha, t_0)
     return (back if t_1 > 0.0 else 0.0) if t > t_m else _ramp_force_power_creep(t, v, R, E, alpha, t_0)
+
+
+def _contact_time_power_creep(v, v_2, t_m, t_h, E, alpha, t_0):
+    return end_power_creep(v_2 / v, t_m, t_h, E, alpha, t_0)

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from ...._programs.bodies.normal import truncated_paraboloid as normal
 from ...._programs.bodies._runtime.physics.relaxation import creep_kelvin_voigt, creep_maxwell, creep_power_creep, creep_standard_solid, relaxation_kelvin_voigt, relaxation_maxwell, relaxation_power_creep, relaxation_standard_solid
-from ...._programs.bodies._runtime.physics.retraction import earlier, end_standard_solid, lag_kelvin_voigt, lag_standard_solid
+from ...._programs.bodies._runtime.physics.retraction import earlier, end_power_creep, end_standard_solid, lag_kelvin_voigt, lag_standard_solid
 
 
 def _step_force_maxwell(t, d, R, b, E, tau):
@@ -28,8 +28,8 @@ def _step_load_radius_kelvin_voigt(t, F, R, b, E, eta):
     return normal._radius_from_force(F * creep_kelvin_voigt(t, E, eta), R, b, 1.0)
 
 
-def _retract_force_kelvin_voigt(t, v, v_2, t_m, R, b, E, eta):
-    lag = lag_kelvin_voigt(t, t_m, v_2 / v, E, eta)
+def _retract_force_kelvin_voigt(t, v, v_2, t_m, t_h, R, b, E, eta):
+    lag = lag_kelvin_voigt(t, t_m, t_h, v_2 / v, E, eta)
     t_1 = earlier(t, t_m, lag)
     back = normal._force_from_depth(v * t_1, R, b, 1.0) * E
     return (back if t_1 > 0.0 else 0.0) if t > t_m else _ramp_force_kelvin_voigt(t, v, R, b, E, eta)
@@ -43,17 +43,17 @@ def _step_load_radius_standard_solid(t, F, R, b, E_inf, E_1, tau):
     return normal._radius_from_force(F * creep_standard_solid(t, E_inf, E_1, tau), R, b, 1.0)
 
 
-def _earlier_time_standard_solid(t, v, v_2, t_m, E_inf, E_1, tau):
-    return earlier(t, t_m, lag_standard_solid(t, t_m, v_2 / v, E_inf, E_1, tau))
+def _earlier_time_standard_solid(t, v, v_2, t_m, t_h, E_inf, E_1, tau):
+    return earlier(t, t_m, lag_standard_solid(t, t_m, t_h, v_2 / v, E_inf, E_1, tau))
 
 
-def _retract_radius_standard_solid(t, v, v_2, t_m, R, b, E_inf, E_1, tau):
-    t_1 = earlier(t, t_m, lag_standard_solid(t, t_m, v_2 / v, E_inf, E_1, tau))
+def _retract_radius_standard_solid(t, v, v_2, t_m, t_h, R, b, E_inf, E_1, tau):
+    t_1 = earlier(t, t_m, lag_standard_solid(t, t_m, t_h, v_2 / v, E_inf, E_1, tau))
     return 0.0 if t_1 <= 0.0 else normal._radius_from_depth(v * t_1, R, b)
 
 
-def _contact_time_standard_solid(v, v_2, t_m, E_inf, E_1, tau):
-    return end_standard_solid(v_2 / v, t_m, E_inf, E_1, tau)
+def _contact_time_standard_solid(v, v_2, t_m, t_h, E_inf, E_1, tau):
+    return end_standard_solid(v_2 / v, t_m, t_h, E_inf, E_1, tau)
 
 
 def _step_force_power_creep(t, d, R, b, E, alpha, t_0):
@@ -62,3 +62,7 @@ def _step_force_power_creep(t, d, R, b, E, alpha, t_0):
 
 def _step_load_radius_power_creep(t, F, R, b, E, alpha, t_0):
     return normal._radius_from_force(F * creep_power_creep(t, E, alpha, t_0), R, b, 1.0)
+
+
+def _contact_time_power_creep(v, v_2, t_m, t_h, E, alpha, t_0):
+    return end_power_creep(v_2 / v, t_m, t_h, E, alpha, t_0)

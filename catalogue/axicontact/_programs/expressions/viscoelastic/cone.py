@@ -30,18 +30,18 @@ def ramp_force_maxwell(xp, t, v, theta, E, tau):
     return xp.where(t == 0.0, 0.0, v7)
 
 
-def earlier_time_maxwell(xp, t, v, v_2, t_m, E, tau):
-    return earlier(xp, t, t_m, lag_maxwell(xp, t, t_m, v_2 / v, E, tau))
+def earlier_time_maxwell(xp, t, v, v_2, t_m, t_h, E, tau):
+    return earlier(xp, t, t_m, lag_maxwell(xp, t, t_m, t_h, v_2 / v, E, tau))
 
 
-def contact_time_maxwell(xp, v, v_2, t_m, E, tau):
-    return end_maxwell(xp, v_2 / v, t_m, E, tau)
+def contact_time_maxwell(xp, v, v_2, t_m, t_h, E, tau):
+    return end_maxwell(xp, v_2 / v, t_m, t_h, E, tau)
 
 
-def retract_force_maxwell(xp, t, v, v_2, t_m, theta, E, tau):
+def retract_force_maxwell(xp, t, v, v_2, t_m, t_h, theta, E, tau):
     v1 = t > t_m
     v2 = xp.where(v1, t, 2.0 * t_m)
-    v4 = lag_maxwell(xp, v2, t_m, v_2 / v, E, tau)
+    v4 = lag_maxwell(xp, v2, t_m, t_h, v_2 / v, E, tau)
     v5 = earlier(xp, v2, t_m, v4)
     v6 = v5 > 0.0
     v7 = xp.where(v6, v5, 1.0)
@@ -51,8 +51,8 @@ def retract_force_maxwell(xp, t, v, v_2, t_m, theta, E, tau):
     return v18
 
 
-def retract_radius_maxwell(xp, t, v, v_2, t_m, theta, E, tau):
-    v3 = earlier(xp, t, t_m, lag_maxwell(xp, t, t_m, v_2 / v, E, tau))
+def retract_radius_maxwell(xp, t, v, v_2, t_m, t_h, theta, E, tau):
+    v3 = earlier(xp, t, t_m, lag_maxwell(xp, t, t_m, t_h, v_2 / v, E, tau))
     v4 = v3 <= 0.0
     return xp.where(v4, 0.0, normal_radius_from_depth(xp, v * xp.where(v4, 1.0, v3), theta))
 
@@ -70,18 +70,18 @@ def ramp_force_kelvin_voigt(xp, t, v, theta, E, eta):
     return xp.where(t == 0.0, 0.0, v7)
 
 
-def earlier_time_kelvin_voigt(xp, t, v, v_2, t_m, E, eta):
-    return earlier(xp, t, t_m, lag_kelvin_voigt(xp, t, t_m, v_2 / v, E, eta))
+def earlier_time_kelvin_voigt(xp, t, v, v_2, t_m, t_h, E, eta):
+    return earlier(xp, t, t_m, lag_kelvin_voigt(xp, t, t_m, t_h, v_2 / v, E, eta))
 
 
-def contact_time_kelvin_voigt(xp, v, v_2, t_m, E, eta):
-    return end_kelvin_voigt(xp, v_2 / v, t_m, E, eta)
+def contact_time_kelvin_voigt(xp, v, v_2, t_m, t_h, E, eta):
+    return end_kelvin_voigt(xp, v_2 / v, t_m, t_h, E, eta)
 
 
-def retract_force_kelvin_voigt(xp, t, v, v_2, t_m, theta, E, eta):
+def retract_force_kelvin_voigt(xp, t, v, v_2, t_m, t_h, theta, E, eta):
     v1 = t > t_m
     v2 = xp.where(v1, t, 2.0 * t_m)
-    v5 = earlier(xp, v2, t_m, lag_kelvin_voigt(xp, v2, t_m, v_2 / v, E, eta))
+    v5 = earlier(xp, v2, t_m, lag_kelvin_voigt(xp, v2, t_m, t_h, v_2 / v, E, eta))
     v6 = v5 > 0.0
     v7 = xp.where(v6, v5, 1.0)
     v13 = xp.where(v6, normal_force_from_depth(xp, v * v7, theta, 1.0) * (E + 0.0 * v7), 0.0)
@@ -89,8 +89,8 @@ def retract_force_kelvin_voigt(xp, t, v, v_2, t_m, theta, E, eta):
     return v16
 
 
-def retract_radius_kelvin_voigt(xp, t, v, v_2, t_m, theta, E, eta):
-    v3 = earlier(xp, t, t_m, lag_kelvin_voigt(xp, t, t_m, v_2 / v, E, eta))
+def retract_radius_kelvin_voigt(xp, t, v, v_2, t_m, t_h, theta, E, eta):
+    v3 = earlier(xp, t, t_m, lag_kelvin_voigt(xp, t, t_m, t_h, v_2 / v, E, eta))
     v4 = v3 <= 0.0
     return xp.where(v4, 0.0, normal_radius_from_depth(xp, v * xp.where(v4, 1.0, v3), theta))
 
@@ -110,18 +110,18 @@ def ramp_force_standard_solid(xp, t, v, theta, E_inf, E_1, tau):
     return xp.where(t == 0.0, 0.0, normal_force_from_depth(xp, v * t, theta, 1.0) * v4)
 
 
-def earlier_time_standard_solid(xp, t, v, v_2, t_m, E_inf, E_1, tau):
-    return earlier(xp, t, t_m, lag_standard_solid(xp, t, t_m, v_2 / v, E_inf, E_1, tau))
+def earlier_time_standard_solid(xp, t, v, v_2, t_m, t_h, E_inf, E_1, tau):
+    return earlier(xp, t, t_m, lag_standard_solid(xp, t, t_m, t_h, v_2 / v, E_inf, E_1, tau))
 
 
-def contact_time_standard_solid(xp, v, v_2, t_m, E_inf, E_1, tau):
-    return end_standard_solid(xp, v_2 / v, t_m, E_inf, E_1, tau)
+def contact_time_standard_solid(xp, v, v_2, t_m, t_h, E_inf, E_1, tau):
+    return end_standard_solid(xp, v_2 / v, t_m, t_h, E_inf, E_1, tau)
 
 
-def retract_force_standard_solid(xp, t, v, v_2, t_m, theta, E_inf, E_1, tau):
+def retract_force_standard_solid(xp, t, v, v_2, t_m, t_h, theta, E_inf, E_1, tau):
     v1 = t > t_m
     v2 = xp.where(v1, t, 2.0 * t_m)
-    v4 = lag_standard_solid(xp, v2, t_m, v_2 / v, E_inf, E_1, tau)
+    v4 = lag_standard_solid(xp, v2, t_m, t_h, v_2 / v, E_inf, E_1, tau)
     v5 = earlier(xp, v2, t_m, v4)
     v6 = v5 > 0.0
     v7 = xp.where(v6, v5, 1.0)
@@ -131,8 +131,8 @@ def retract_force_standard_solid(xp, t, v, v_2, t_m, theta, E_inf, E_1, tau):
     return v18
 
 
-def retract_radius_standard_solid(xp, t, v, v_2, t_m, theta, E_inf, E_1, tau):
-    v3 = earlier(xp, t, t_m, lag_standard_solid(xp, t, t_m, v_2 / v, E_inf, E_1, tau))
+def retract_radius_standard_solid(xp, t, v, v_2, t_m, t_h, theta, E_inf, E_1, tau):
+    v3 = earlier(xp, t, t_m, lag_standard_solid(xp, t, t_m, t_h, v_2 / v, E_inf, E_1, tau))
     v4 = v3 <= 0.0
     return xp.where(v4, 0.0, normal_radius_from_depth(xp, v * xp.where(v4, 1.0, v3), theta))
 
@@ -152,18 +152,18 @@ def ramp_force_power_creep(xp, t, v, theta, E, alpha, t_0):
     return xp.where(t == 0.0, 0.0, v5)
 
 
-def earlier_time_power_creep(xp, t, v, v_2, t_m, E, alpha, t_0):
-    return earlier(xp, t, t_m, lag_power_creep(xp, t, t_m, v_2 / v, E, alpha, t_0))
+def earlier_time_power_creep(xp, t, v, v_2, t_m, t_h, E, alpha, t_0):
+    return earlier(xp, t, t_m, lag_power_creep(xp, t, t_m, t_h, v_2 / v, E, alpha, t_0))
 
 
-def contact_time_power_creep(xp, v, v_2, t_m, E, alpha, t_0):
-    return end_power_creep(xp, v_2 / v, t_m, E, alpha, t_0)
+def contact_time_power_creep(xp, v, v_2, t_m, t_h, E, alpha, t_0):
+    return end_power_creep(xp, v_2 / v, t_m, t_h, E, alpha, t_0)
 
 
-def retract_force_power_creep(xp, t, v, v_2, t_m, theta, E, alpha, t_0):
+def retract_force_power_creep(xp, t, v, v_2, t_m, t_h, theta, E, alpha, t_0):
     v1 = t > t_m
     v2 = xp.where(v1, t, 2.0 * t_m)
-    v4 = lag_power_creep(xp, v2, t_m, v_2 / v, E, alpha, t_0)
+    v4 = lag_power_creep(xp, v2, t_m, t_h, v_2 / v, E, alpha, t_0)
     v5 = earlier(xp, v2, t_m, v4)
     v6 = v5 > 0.0
     v7 = xp.where(v6, v5, 1.0)
@@ -173,8 +173,8 @@ def retract_force_power_creep(xp, t, v, v_2, t_m, theta, E, alpha, t_0):
     return v18
 
 
-def retract_radius_power_creep(xp, t, v, v_2, t_m, theta, E, alpha, t_0):
-    v3 = earlier(xp, t, t_m, lag_power_creep(xp, t, t_m, v_2 / v, E, alpha, t_0))
+def retract_radius_power_creep(xp, t, v, v_2, t_m, t_h, theta, E, alpha, t_0):
+    v3 = earlier(xp, t, t_m, lag_power_creep(xp, t, t_m, t_h, v_2 / v, E, alpha, t_0))
     v4 = v3 <= 0.0
     return xp.where(v4, 0.0, normal_radius_from_depth(xp, v * xp.where(v4, 1.0, v3), theta))
 

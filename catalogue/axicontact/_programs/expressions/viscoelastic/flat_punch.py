@@ -24,18 +24,18 @@ def ramp_force_maxwell(xp, t, v, a, E, tau):
     return xp.where(t == 0.0, 0.0, 2.0 * (v * t) * a * (E * fading(xp, t / tau, 1.0)))
 
 
-def earlier_time_maxwell(xp, t, v, v_2, t_m, E, tau):
-    return earlier(xp, t, t_m, lag_maxwell(xp, t, t_m, v_2 / v, E, tau))
+def earlier_time_maxwell(xp, t, v, v_2, t_m, t_h, E, tau):
+    return earlier(xp, t, t_m, lag_maxwell(xp, t, t_m, t_h, v_2 / v, E, tau))
 
 
-def contact_time_maxwell(xp, v, v_2, t_m, E, tau):
-    return end_maxwell(xp, v_2 / v, t_m, E, tau)
+def contact_time_maxwell(xp, v, v_2, t_m, t_h, E, tau):
+    return end_maxwell(xp, v_2 / v, t_m, t_h, E, tau)
 
 
-def retract_force_maxwell(xp, t, v, v_2, t_m, a, E, tau):
+def retract_force_maxwell(xp, t, v, v_2, t_m, t_h, a, E, tau):
     v1 = t > t_m
     v2 = xp.where(v1, t, 2.0 * t_m)
-    v4 = lag_maxwell(xp, v2, t_m, v_2 / v, E, tau)
+    v4 = lag_maxwell(xp, v2, t_m, t_h, v_2 / v, E, tau)
     v5 = earlier(xp, v2, t_m, v4)
     v6 = v5 > 0.0
     v7 = xp.where(v6, v5, 1.0)
@@ -52,18 +52,18 @@ def ramp_force_kelvin_voigt(xp, t, v, a, E, eta):
     return xp.where(t == 0.0, 2.0 * v * a * eta, 2.0 * (v * t) * a * (E + eta / t))
 
 
-def earlier_time_kelvin_voigt(xp, t, v, v_2, t_m, E, eta):
-    return earlier(xp, t, t_m, lag_kelvin_voigt(xp, t, t_m, v_2 / v, E, eta))
+def earlier_time_kelvin_voigt(xp, t, v, v_2, t_m, t_h, E, eta):
+    return earlier(xp, t, t_m, lag_kelvin_voigt(xp, t, t_m, t_h, v_2 / v, E, eta))
 
 
-def contact_time_kelvin_voigt(xp, v, v_2, t_m, E, eta):
-    return end_kelvin_voigt(xp, v_2 / v, t_m, E, eta)
+def contact_time_kelvin_voigt(xp, v, v_2, t_m, t_h, E, eta):
+    return end_kelvin_voigt(xp, v_2 / v, t_m, t_h, E, eta)
 
 
-def retract_force_kelvin_voigt(xp, t, v, v_2, t_m, a, E, eta):
+def retract_force_kelvin_voigt(xp, t, v, v_2, t_m, t_h, a, E, eta):
     v1 = t > t_m
     v2 = xp.where(v1, t, 2.0 * t_m)
-    v5 = earlier(xp, v2, t_m, lag_kelvin_voigt(xp, v2, t_m, v_2 / v, E, eta))
+    v5 = earlier(xp, v2, t_m, lag_kelvin_voigt(xp, v2, t_m, t_h, v_2 / v, E, eta))
     v6 = v5 > 0.0
     v7 = xp.where(v6, v5, 1.0)
     v16 = ramp_force_kelvin_voigt(xp, xp.where(v1, 0.5 * t_m, t), v, a, E, eta)
@@ -81,18 +81,18 @@ def ramp_force_standard_solid(xp, t, v, a, E_inf, E_1, tau):
     return xp.where(t == 0.0, 0.0, v6)
 
 
-def earlier_time_standard_solid(xp, t, v, v_2, t_m, E_inf, E_1, tau):
-    return earlier(xp, t, t_m, lag_standard_solid(xp, t, t_m, v_2 / v, E_inf, E_1, tau))
+def earlier_time_standard_solid(xp, t, v, v_2, t_m, t_h, E_inf, E_1, tau):
+    return earlier(xp, t, t_m, lag_standard_solid(xp, t, t_m, t_h, v_2 / v, E_inf, E_1, tau))
 
 
-def contact_time_standard_solid(xp, v, v_2, t_m, E_inf, E_1, tau):
-    return end_standard_solid(xp, v_2 / v, t_m, E_inf, E_1, tau)
+def contact_time_standard_solid(xp, v, v_2, t_m, t_h, E_inf, E_1, tau):
+    return end_standard_solid(xp, v_2 / v, t_m, t_h, E_inf, E_1, tau)
 
 
-def retract_force_standard_solid(xp, t, v, v_2, t_m, a, E_inf, E_1, tau):
+def retract_force_standard_solid(xp, t, v, v_2, t_m, t_h, a, E_inf, E_1, tau):
     v1 = t > t_m
     v2 = xp.where(v1, t, 2.0 * t_m)
-    v4 = lag_standard_solid(xp, v2, t_m, v_2 / v, E_inf, E_1, tau)
+    v4 = lag_standard_solid(xp, v2, t_m, t_h, v_2 / v, E_inf, E_1, tau)
     v5 = earlier(xp, v2, t_m, v4)
     v6 = v5 > 0.0
     v7 = xp.where(v6, v5, 1.0)
@@ -110,18 +110,18 @@ def ramp_force_power_creep(xp, t, v, a, E, alpha, t_0):
     return v7
 
 
-def earlier_time_power_creep(xp, t, v, v_2, t_m, E, alpha, t_0):
-    return earlier(xp, t, t_m, lag_power_creep(xp, t, t_m, v_2 / v, E, alpha, t_0))
+def earlier_time_power_creep(xp, t, v, v_2, t_m, t_h, E, alpha, t_0):
+    return earlier(xp, t, t_m, lag_power_creep(xp, t, t_m, t_h, v_2 / v, E, alpha, t_0))
 
 
-def contact_time_power_creep(xp, v, v_2, t_m, E, alpha, t_0):
-    return end_power_creep(xp, v_2 / v, t_m, E, alpha, t_0)
+def contact_time_power_creep(xp, v, v_2, t_m, t_h, E, alpha, t_0):
+    return end_power_creep(xp, v_2 / v, t_m, t_h, E, alpha, t_0)
 
 
-def retract_force_power_creep(xp, t, v, v_2, t_m, a, E, alpha, t_0):
+def retract_force_power_creep(xp, t, v, v_2, t_m, t_h, a, E, alpha, t_0):
     v1 = t > t_m
     v2 = xp.where(v1, t, 2.0 * t_m)
-    v4 = lag_power_creep(xp, v2, t_m, v_2 / v, E, alpha, t_0)
+    v4 = lag_power_creep(xp, v2, t_m, t_h, v_2 / v, E, alpha, t_0)
     v5 = earlier(xp, v2, t_m, v4)
     v6 = v5 > 0.0
     v7 = xp.where(v6, v5, 1.0)

@@ -29,18 +29,18 @@ def ramp_force_maxwell(xp, t, v, R, E, tau):
     return xp.where(t == 0.0, 0.0, v7)
 
 
-def earlier_time_maxwell(xp, t, v, v_2, t_m, E, tau):
-    return earlier(xp, t, t_m, lag_maxwell(xp, t, t_m, v_2 / v, E, tau))
+def earlier_time_maxwell(xp, t, v, v_2, t_m, t_h, E, tau):
+    return earlier(xp, t, t_m, lag_maxwell(xp, t, t_m, t_h, v_2 / v, E, tau))
 
 
-def contact_time_maxwell(xp, v, v_2, t_m, E, tau):
-    return end_maxwell(xp, v_2 / v, t_m, E, tau)
+def contact_time_maxwell(xp, v, v_2, t_m, t_h, E, tau):
+    return end_maxwell(xp, v_2 / v, t_m, t_h, E, tau)
 
 
-def retract_force_maxwell(xp, t, v, v_2, t_m, R, E, tau):
+def retract_force_maxwell(xp, t, v, v_2, t_m, t_h, R, E, tau):
     v1 = t > t_m
     v2 = xp.where(v1, t, 2.0 * t_m)
-    v4 = lag_maxwell(xp, v2, t_m, v_2 / v, E, tau)
+    v4 = lag_maxwell(xp, v2, t_m, t_h, v_2 / v, E, tau)
     v5 = earlier(xp, v2, t_m, v4)
     v6 = v5 > 0.0
     v7 = xp.where(v6, v5, 1.0)
@@ -49,8 +49,8 @@ def retract_force_maxwell(xp, t, v, v_2, t_m, R, E, tau):
     return xp.where(v1, v15, ramp_force_maxwell(xp, xp.where(v1, 0.5 * t_m, t), v, R, E, tau))
 
 
-def retract_radius_maxwell(xp, t, v, v_2, t_m, R, E, tau):
-    v3 = earlier(xp, t, t_m, lag_maxwell(xp, t, t_m, v_2 / v, E, tau))
+def retract_radius_maxwell(xp, t, v, v_2, t_m, t_h, R, E, tau):
+    v3 = earlier(xp, t, t_m, lag_maxwell(xp, t, t_m, t_h, v_2 / v, E, tau))
     v4 = v3 <= 0.0
     return xp.where(v4, 0.0, xp.sqrt(R * (v * xp.where(v4, 1.0, v3))))
 
@@ -68,18 +68,18 @@ def ramp_force_kelvin_voigt(xp, t, v, R, E, eta):
     return xp.where(t == 0.0, 0.0, v7)
 
 
-def earlier_time_kelvin_voigt(xp, t, v, v_2, t_m, E, eta):
-    return earlier(xp, t, t_m, lag_kelvin_voigt(xp, t, t_m, v_2 / v, E, eta))
+def earlier_time_kelvin_voigt(xp, t, v, v_2, t_m, t_h, E, eta):
+    return earlier(xp, t, t_m, lag_kelvin_voigt(xp, t, t_m, t_h, v_2 / v, E, eta))
 
 
-def contact_time_kelvin_voigt(xp, v, v_2, t_m, E, eta):
-    return end_kelvin_voigt(xp, v_2 / v, t_m, E, eta)
+def contact_time_kelvin_voigt(xp, v, v_2, t_m, t_h, E, eta):
+    return end_kelvin_voigt(xp, v_2 / v, t_m, t_h, E, eta)
 
 
-def retract_force_kelvin_voigt(xp, t, v, v_2, t_m, R, E, eta):
+def retract_force_kelvin_voigt(xp, t, v, v_2, t_m, t_h, R, E, eta):
     v1 = t > t_m
     v2 = xp.where(v1, t, 2.0 * t_m)
-    v5 = earlier(xp, v2, t_m, lag_kelvin_voigt(xp, v2, t_m, v_2 / v, E, eta))
+    v5 = earlier(xp, v2, t_m, lag_kelvin_voigt(xp, v2, t_m, t_h, v_2 / v, E, eta))
     v6 = v5 > 0.0
     v7 = xp.where(v6, v5, 1.0)
     v13 = xp.where(v6, normal_force_from_depth(xp, v * v7, R, 1.0) * (E + 0.0 * v7), 0.0)
@@ -87,8 +87,8 @@ def retract_force_kelvin_voigt(xp, t, v, v_2, t_m, R, E, eta):
     return v16
 
 
-def retract_radius_kelvin_voigt(xp, t, v, v_2, t_m, R, E, eta):
-    v3 = earlier(xp, t, t_m, lag_kelvin_voigt(xp, t, t_m, v_2 / v, E, eta))
+def retract_radius_kelvin_voigt(xp, t, v, v_2, t_m, t_h, R, E, eta):
+    v3 = earlier(xp, t, t_m, lag_kelvin_voigt(xp, t, t_m, t_h, v_2 / v, E, eta))
     v4 = v3 <= 0.0
     return xp.where(v4, 0.0, xp.sqrt(R * (v * xp.where(v4, 1.0, v3))))
 
@@ -108,18 +108,18 @@ def ramp_force_standard_solid(xp, t, v, R, E_inf, E_1, tau):
     return xp.where(t == 0.0, 0.0, v5)
 
 
-def earlier_time_standard_solid(xp, t, v, v_2, t_m, E_inf, E_1, tau):
-    return earlier(xp, t, t_m, lag_standard_solid(xp, t, t_m, v_2 / v, E_inf, E_1, tau))
+def earlier_time_standard_solid(xp, t, v, v_2, t_m, t_h, E_inf, E_1, tau):
+    return earlier(xp, t, t_m, lag_standard_solid(xp, t, t_m, t_h, v_2 / v, E_inf, E_1, tau))
 
 
-def contact_time_standard_solid(xp, v, v_2, t_m, E_inf, E_1, tau):
-    return end_standard_solid(xp, v_2 / v, t_m, E_inf, E_1, tau)
+def contact_time_standard_solid(xp, v, v_2, t_m, t_h, E_inf, E_1, tau):
+    return end_standard_solid(xp, v_2 / v, t_m, t_h, E_inf, E_1, tau)
 
 
-def retract_force_standard_solid(xp, t, v, v_2, t_m, R, E_inf, E_1, tau):
+def retract_force_standard_solid(xp, t, v, v_2, t_m, t_h, R, E_inf, E_1, tau):
     v1 = t > t_m
     v2 = xp.where(v1, t, 2.0 * t_m)
-    v4 = lag_standard_solid(xp, v2, t_m, v_2 / v, E_inf, E_1, tau)
+    v4 = lag_standard_solid(xp, v2, t_m, t_h, v_2 / v, E_inf, E_1, tau)
     v5 = earlier(xp, v2, t_m, v4)
     v6 = v5 > 0.0
     v7 = xp.where(v6, v5, 1.0)
@@ -129,8 +129,8 @@ def retract_force_standard_solid(xp, t, v, v_2, t_m, R, E_inf, E_1, tau):
     return v18
 
 
-def retract_radius_standard_solid(xp, t, v, v_2, t_m, R, E_inf, E_1, tau):
-    v3 = earlier(xp, t, t_m, lag_standard_solid(xp, t, t_m, v_2 / v, E_inf, E_1, tau))
+def retract_radius_standard_solid(xp, t, v, v_2, t_m, t_h, R, E_inf, E_1, tau):
+    v3 = earlier(xp, t, t_m, lag_standard_solid(xp, t, t_m, t_h, v_2 / v, E_inf, E_1, tau))
     v4 = v3 <= 0.0
     return xp.where(v4, 0.0, xp.sqrt(R * (v * xp.where(v4, 1.0, v3))))
 
@@ -149,18 +149,18 @@ def ramp_force_power_creep(xp, t, v, R, E, alpha, t_0):
     return xp.where(t == 0.0, 0.0, v5)
 
 
-def earlier_time_power_creep(xp, t, v, v_2, t_m, E, alpha, t_0):
-    return earlier(xp, t, t_m, lag_power_creep(xp, t, t_m, v_2 / v, E, alpha, t_0))
+def earlier_time_power_creep(xp, t, v, v_2, t_m, t_h, E, alpha, t_0):
+    return earlier(xp, t, t_m, lag_power_creep(xp, t, t_m, t_h, v_2 / v, E, alpha, t_0))
 
 
-def contact_time_power_creep(xp, v, v_2, t_m, E, alpha, t_0):
-    return end_power_creep(xp, v_2 / v, t_m, E, alpha, t_0)
+def contact_time_power_creep(xp, v, v_2, t_m, t_h, E, alpha, t_0):
+    return end_power_creep(xp, v_2 / v, t_m, t_h, E, alpha, t_0)
 
 
-def retract_force_power_creep(xp, t, v, v_2, t_m, R, E, alpha, t_0):
+def retract_force_power_creep(xp, t, v, v_2, t_m, t_h, R, E, alpha, t_0):
     v1 = t > t_m
     v2 = xp.where(v1, t, 2.0 * t_m)
-    v4 = lag_power_creep(xp, v2, t_m, v_2 / v, E, alpha, t_0)
+    v4 = lag_power_creep(xp, v2, t_m, t_h, v_2 / v, E, alpha, t_0)
     v5 = earlier(xp, v2, t_m, v4)
     v6 = v5 > 0.0
     v7 = xp.where(v6, v5, 1.0)
@@ -170,8 +170,8 @@ def retract_force_power_creep(xp, t, v, v_2, t_m, R, E, alpha, t_0):
     return v18
 
 
-def retract_radius_power_creep(xp, t, v, v_2, t_m, R, E, alpha, t_0):
-    v3 = earlier(xp, t, t_m, lag_power_creep(xp, t, t_m, v_2 / v, E, alpha, t_0))
+def retract_radius_power_creep(xp, t, v, v_2, t_m, t_h, R, E, alpha, t_0):
+    v3 = earlier(xp, t, t_m, lag_power_creep(xp, t, t_m, t_h, v_2 / v, E, alpha, t_0))
     v4 = v3 <= 0.0
     return xp.where(v4, 0.0, xp.sqrt(R * (v * xp.where(v4, 1.0, v3))))
 

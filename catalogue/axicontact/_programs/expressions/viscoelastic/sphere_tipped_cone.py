@@ -19,16 +19,16 @@ from ...._programs.expressions.normal.sphere_tipped_cone import radius_from_dept
 from ...._programs.expressions.normal.sphere_tipped_cone import radius_from_force as normal_radius_from_force
 
 
-def earlier_time_maxwell(xp, t, v, v_2, t_m, E, tau):
-    return earlier(xp, t, t_m, lag_maxwell(xp, t, t_m, v_2 / v, E, tau))
+def earlier_time_maxwell(xp, t, v, v_2, t_m, t_h, E, tau):
+    return earlier(xp, t, t_m, lag_maxwell(xp, t, t_m, t_h, v_2 / v, E, tau))
 
 
-def contact_time_maxwell(xp, v, v_2, t_m, E, tau):
-    return end_maxwell(xp, v_2 / v, t_m, E, tau)
+def contact_time_maxwell(xp, v, v_2, t_m, t_h, E, tau):
+    return end_maxwell(xp, v_2 / v, t_m, t_h, E, tau)
 
 
-def retract_radius_maxwell(xp, t, v, v_2, t_m, R, theta, E, tau):
-    v3 = earlier(xp, t, t_m, lag_maxwell(xp, t, t_m, v_2 / v, E, tau))
+def retract_radius_maxwell(xp, t, v, v_2, t_m, t_h, R, theta, E, tau):
+    v3 = earlier(xp, t, t_m, lag_maxwell(xp, t, t_m, t_h, v_2 / v, E, tau))
     v4 = v3 <= 0.0
     return xp.where(v4, 0.0, normal_radius_from_depth(xp, v * xp.where(v4, 1.0, v3), R, theta))
 
@@ -47,26 +47,26 @@ def ramp_force_kelvin_voigt(xp, t, v, R, theta, E, eta):
     return E * normal_force_from_depth(xp, v1, R, theta, 1.0) + v7
 
 
-def earlier_time_kelvin_voigt(xp, t, v, v_2, t_m, E, eta):
-    return earlier(xp, t, t_m, lag_kelvin_voigt(xp, t, t_m, v_2 / v, E, eta))
+def earlier_time_kelvin_voigt(xp, t, v, v_2, t_m, t_h, E, eta):
+    return earlier(xp, t, t_m, lag_kelvin_voigt(xp, t, t_m, t_h, v_2 / v, E, eta))
 
 
-def contact_time_kelvin_voigt(xp, v, v_2, t_m, E, eta):
-    return end_kelvin_voigt(xp, v_2 / v, t_m, E, eta)
+def contact_time_kelvin_voigt(xp, v, v_2, t_m, t_h, E, eta):
+    return end_kelvin_voigt(xp, v_2 / v, t_m, t_h, E, eta)
 
 
-def retract_force_kelvin_voigt(xp, t, v, v_2, t_m, R, theta, E, eta):
+def retract_force_kelvin_voigt(xp, t, v, v_2, t_m, t_h, R, theta, E, eta):
     v1 = t > t_m
     v2 = xp.where(v1, t, 2.0 * t_m)
-    v5 = earlier(xp, v2, t_m, lag_kelvin_voigt(xp, v2, t_m, v_2 / v, E, eta))
+    v5 = earlier(xp, v2, t_m, lag_kelvin_voigt(xp, v2, t_m, t_h, v_2 / v, E, eta))
     v6 = v5 > 0.0
     v10 = normal_force_from_depth(xp, v * xp.where(v6, v5, 1.0), R, theta, 1.0) * E
     v13 = ramp_force_kelvin_voigt(xp, xp.where(v1, 0.5 * t_m, t), v, R, theta, E, eta)
     return xp.where(v1, xp.where(v6, v10, 0.0), v13)
 
 
-def retract_radius_kelvin_voigt(xp, t, v, v_2, t_m, R, theta, E, eta):
-    v3 = earlier(xp, t, t_m, lag_kelvin_voigt(xp, t, t_m, v_2 / v, E, eta))
+def retract_radius_kelvin_voigt(xp, t, v, v_2, t_m, t_h, R, theta, E, eta):
+    v3 = earlier(xp, t, t_m, lag_kelvin_voigt(xp, t, t_m, t_h, v_2 / v, E, eta))
     v4 = v3 <= 0.0
     return xp.where(v4, 0.0, normal_radius_from_depth(xp, v * xp.where(v4, 1.0, v3), R, theta))
 
@@ -81,16 +81,16 @@ def step_load_radius_kelvin_voigt(xp, t, F, R, theta, E, eta):
     return normal_radius_from_force(xp, F * creep_kelvin_voigt(xp, t, E, eta), R, theta, 1.0)
 
 
-def earlier_time_standard_solid(xp, t, v, v_2, t_m, E_inf, E_1, tau):
-    return earlier(xp, t, t_m, lag_standard_solid(xp, t, t_m, v_2 / v, E_inf, E_1, tau))
+def earlier_time_standard_solid(xp, t, v, v_2, t_m, t_h, E_inf, E_1, tau):
+    return earlier(xp, t, t_m, lag_standard_solid(xp, t, t_m, t_h, v_2 / v, E_inf, E_1, tau))
 
 
-def contact_time_standard_solid(xp, v, v_2, t_m, E_inf, E_1, tau):
-    return end_standard_solid(xp, v_2 / v, t_m, E_inf, E_1, tau)
+def contact_time_standard_solid(xp, v, v_2, t_m, t_h, E_inf, E_1, tau):
+    return end_standard_solid(xp, v_2 / v, t_m, t_h, E_inf, E_1, tau)
 
 
-def retract_radius_standard_solid(xp, t, v, v_2, t_m, R, theta, E_inf, E_1, tau):
-    v3 = earlier(xp, t, t_m, lag_standard_solid(xp, t, t_m, v_2 / v, E_inf, E_1, tau))
+def retract_radius_standard_solid(xp, t, v, v_2, t_m, t_h, R, theta, E_inf, E_1, tau):
+    v3 = earlier(xp, t, t_m, lag_standard_solid(xp, t, t_m, t_h, v_2 / v, E_inf, E_1, tau))
     v4 = v3 <= 0.0
     return xp.where(v4, 0.0, normal_radius_from_depth(xp, v * xp.where(v4, 1.0, v3), R, theta))
 
@@ -105,16 +105,16 @@ def step_load_radius_standard_solid(xp, t, F, R, theta, E_inf, E_1, tau):
     return v3
 
 
-def earlier_time_power_creep(xp, t, v, v_2, t_m, E, alpha, t_0):
-    return earlier(xp, t, t_m, lag_power_creep(xp, t, t_m, v_2 / v, E, alpha, t_0))
+def earlier_time_power_creep(xp, t, v, v_2, t_m, t_h, E, alpha, t_0):
+    return earlier(xp, t, t_m, lag_power_creep(xp, t, t_m, t_h, v_2 / v, E, alpha, t_0))
 
 
-def contact_time_power_creep(xp, v, v_2, t_m, E, alpha, t_0):
-    return end_power_creep(xp, v_2 / v, t_m, E, alpha, t_0)
+def contact_time_power_creep(xp, v, v_2, t_m, t_h, E, alpha, t_0):
+    return end_power_creep(xp, v_2 / v, t_m, t_h, E, alpha, t_0)
 
 
-def retract_radius_power_creep(xp, t, v, v_2, t_m, R, theta, E, alpha, t_0):
-    v3 = earlier(xp, t, t_m, lag_power_creep(xp, t, t_m, v_2 / v, E, alpha, t_0))
+def retract_radius_power_creep(xp, t, v, v_2, t_m, t_h, R, theta, E, alpha, t_0):
+    v3 = earlier(xp, t, t_m, lag_power_creep(xp, t, t_m, t_h, v_2 / v, E, alpha, t_0))
     v4 = v3 <= 0.0
     return xp.where(v4, 0.0, normal_radius_from_depth(xp, v * xp.where(v4, 1.0, v3), R, theta))
 

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from math import expm1, inf
+from math import exp, expm1, inf, pow
 
 from ....._programs.bodies._runtime.functions import gamma, gamma_quotient
 from ....._programs.bodies._runtime.physics.relaxation import fading
 from ....._runtime.plain import log1p, MATH as np
 
+LARGEST = 700.0
 ROUNDING = 2.220446049250313e-16
+SOONEST = 1e+100
 STEPS = 20
 TERMS = 400
 
@@ -25,29 +27,32 @@ def passed(t, t_m, lag):
     return (v3 if v3 > 0.0 or v3 != v3 else 0.0) + lag
 
 
-def lag_maxwell(t, t_m, ratio, E, tau):
-    v5 = t - t_m
-    v8 = (v5 if v5 > 0.0 or v5 != v5 else 0.0) / tau
-    v12 = ratio * expm1(v8 if v8 < 700.0 or v8 != v8 else 700.0)
-    if v12 < 1.0:
-        return -tau * log1p(-(v12 if v12 < 0.9999999999999998 or v12 != v12 else 0.9999999999999998))
+def lag_maxwell(t, t_m, t_h, ratio, E, tau):
+    v6 = t - t_h
+    v9 = (v6 if v6 > 0.0 or v6 != v6 else 0.0) / tau
+    v15 = (t_h - t_m) / tau
+    v18 = ratio * expm1(v9 if v9 < 700.0 or v9 != v9 else 700.0) * exp(v15 if v15 < 700.0 or v15 != v15 else 700.0)
+    if v18 < 1.0:
+        return -tau * log1p(-(v18 if v18 < 0.9999999999999998 or v18 != v18 else 0.9999999999999998))
     return inf
 
 
-def lag_kelvin_voigt(t, t_m, ratio, E, eta):
-    v5 = t - t_m
-    return ratio * ((v5 if v5 > 0.0 or v5 != v5 else 0.0) + eta / E)
+def lag_kelvin_voigt(t, t_m, t_h, ratio, E, eta):
+    if t > t_h:
+        return ratio * (t - t_h + eta / E)
+    return 0.0
 
 
-def lag_standard_solid(t, t_m, ratio, E_inf, E_1, tau):
-    x, stiffer = (np.maximum(t - t_m, 0.0) / tau, E_1 / E_inf)
-    return tau * slowed(ratio * (x - stiffer * np.expm1(-x)), stiffer * np.exp(-x))
+def lag_standard_solid(t, t_m, t_h, ratio, E_inf, E_1, tau):
+    since, x, stiffer = (np.maximum(t - t_m, 0.0) / tau, np.maximum(t - t_h, 0.0) / tau, E_1 / E_inf)
+    return tau * slowed(ratio * (x - stiffer * np.expm1(-x)), stiffer * np.exp(-since))
 
 
-def lag_power_creep(t, t_m, ratio, E, alpha, t_0):
-    v6 = t - t_m
-    v12 = log1p(ratio) / (1.0 - alpha)
-    return (v6 if v6 > 0.0 or v6 != v6 else 0.0) * expm1(v12 if v12 < 700.0 or v12 != v12 else 700.0)
+def lag_power_creep(t, t_m, t_h, ratio, E, alpha, t_0):
+    v9 = t - t_m
+    v14 = 1.0 - alpha
+    v19 = log1p(ratio * pow((t - t_h) / v9 if t > t_h else 0.0, v14)) / v14
+    return (v9 if v9 > 0.0 or v9 != v9 else 0.0) * expm1(v19 if v19 < 700.0 or v19 != v19 else 700.0)
 
 
 def slowed(x, k):
@@ -116,7 +121,30 @@ def coefficients(k, x, p, q):
     return (even, -(p + k) * (p + q + k) * x / ((p + 2 * k) * (p + (2 * k + 1))))
 
 
-def end_standard_solid(ratio, t_m, E_inf, E_1, tau):
+def end_standard_solid(ratio, t_m, t_h, E_inf, E_1, tau):
     x, stiffer = (t_m / tau, E_1 / E_inf)
-    faded = -stiffer * np.expm1(-x)
-    return t_m + tau * slowed((x + faded) / ratio, stiffer + faded / ratio)
+    faded = -stiffer * np.expm1(-x) * np.exp((t_m - t_h) / tau)
+    return t_h + tau * slowed((x + faded) / ratio, stiffer + faded / ratio)
+
+
+def end_power_creep(ratio, t_m, t_h, E, alpha, t_0):
+    beta = 1.0 - alpha
+    at_once = np.expm1(np.minimum(np.log1p(ratio) / beta, LARGEST))
+    return t_h + t_m / (sooner(at_once, (t_h - t_m) / t_m, ratio, beta) if t_h > t_m else at_once)
+
+
+def sooner(start, k, ratio, beta):
+    """The y = 1/u with ratio u**beta = (u + k + 1)**beta - (u + k)**beta, by Newton's method for its logarithm.
+
+    It starts from that without a hold, k = 0, which is smaller; eight steps are the most of 1500 random ones.
+    """
+    y = np.minimum(start, SOONEST)
+    for _ in range(STEPS):
+        whole = 1.0 + k * y
+        grown = np.expm1(beta * np.log1p(y / whole))
+        slope = beta * y * (k + (1.0 + grown) / grown / (whole + y)) / whole
+        step = -np.log(whole ** beta * grown / ratio) / slope
+        y = np.minimum(y * np.exp(np.minimum(step, LARGEST)), SOONEST)
+        if not np.count_nonzero(np.abs(step) > 4.0 * ROUNDING * (y + whole)):
+            break
+    return y
