@@ -23,7 +23,7 @@ def interface(writer: Writer) -> None:
         when = RETURNED if back else "and while the contact grows."
         notes = f"Valid for {profile.validity}, {when}" + " Negative or NaN times give NaN." * bool(entry.arguments)
         if entry.quantity.symbol == t_1:
-            notes += " Up to t_m it is t, and t_m while the depth is held."
+            notes += " Here t_1 is t up to t_m, and t_m while the depth is held."
         elif back and entry.arguments:
             law = kind_and_law(entry.quantity)[1]
             notes += f" Here t_1 is earlier_time_{law.name}; up to t_m it is t, and the force that of the ramp."
