@@ -115,6 +115,7 @@ def model(
     shown = {**drawn, "chapter11": chapter11}
     left_out = {label for label, needed in NEEDED.items() if not shown[needed]}
     contents = _contents(chapters, left_out)
+    letters, numbers = front.number_rows()
     return {
         "chapters": chapters,
         "kinds": [(title, KINDS[title], members) for title, members in kinds],
@@ -145,8 +146,8 @@ def model(
             (back.label(short), escaped(" ".join(work[:2])), work.doi)
             for short, work in sorted(back.WORKS.items(), key=lambda one: back.sorted_as(one[0]))
         ],
-        "stresses": [*front.stress_rows(), front.number_rows()[0]],
-        "numbers": front.number_rows()[1],
+        "stresses": [*front.stress_rows(), letters],
+        "numbers": numbers,
         "tones": [f"${level:g}$" for level in SHADES],
         "symbol_index": back.symbol_index(pages),
         "word_index": back.word_index(pages, contents, WITHIN),

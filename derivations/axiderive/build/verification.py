@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 from ..checks import checks
@@ -62,11 +63,16 @@ def checks_of(evidence: Mapping[str, Any]) -> list[dict[str, Any]]:
 def _stored(problem: Problem, entries: Mapping[str, Entry]) -> list[dict[str, Any]]:
     """The problem as the evidence stores it, and the normal contact it rests on, derived anew."""
     below = rests_on(problem.key)
-    out = [{"problem": problem.key, "entries": {suffix: entry_record(entry) for suffix, entry in entries.items()}}]
-    if below:
-        plain = systems.problem(below).derive()
-        out.append({"problem": below, "entries": {suffix: entry_record(entry) for suffix, entry in plain.items()}})
-    return [{**record, "profile": profile_record(problem.profile)} for record in out]
+    own = {"problem": problem.key, "entries": {suffix: entry_record(entry) for suffix, entry in entries.items()}}
+    both = [own, _derived(below)] if below else [own]
+    return [{**record, "profile": profile_record(problem.profile)} for record in both]
+
+
+@lru_cache(maxsize=4)
+def _derived(key: str) -> dict[str, Any]:
+    """The record of a normal contact; the problems of a profile, one behind the other, rest on the same."""
+    derived = systems.problem(key).derive()
+    return {"problem": key, "entries": {suffix: entry_record(entry) for suffix, entry in derived.items()}}
 
 
 def _entry(entry: Entry, proof: Certificate, missing: str, checks: Sequence[Evidence]) -> dict[str, Any]:

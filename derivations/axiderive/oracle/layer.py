@@ -73,7 +73,8 @@ class Layer:
 
     def spring(self, t: Number) -> Number:
         """How far the spring at t is pressed in."""
-        return _short(self.here, t) + mp.polyval([*reversed(self.polynomial)], (t / self.a) ** 2)
+        whole = _whole(self.here, self.a)
+        return _short(self.here, whole, t) + mp.polyval([*reversed(self.polynomial)], (t / self.a) ** 2)
 
     def rate(self, t: Number) -> Number:
         """The derivative of that."""
@@ -141,12 +142,15 @@ def layer(here: HalfSpace, base: str) -> Layer:
     return Layer(here, base, a, depth, tuple(polynomial))
 
 
-def _short(here: HalfSpace, t: Number) -> Number:
-    """How far the half-space is pressed in at t: d - g(t) for the radius of `here`, or for the depth of a punch."""
-    if here.profile.complete:
-        return here.at(nt.d)
+def _whole(here: HalfSpace, a: Number) -> Number:
+    """How far the half-space is pressed in by the radius a, or by a punch."""
+    return here.at(nt.d) if here.profile.complete else here.depth(a)
+
+
+def _short(here: HalfSpace, whole: Number, t: Number) -> Number:
+    """How far of that the spring at t is pressed in: d - g(t), all of it under a punch."""
     flat = here.at(here.profile.breaks[0]) if here.profile.truncated else mp.mpf(0)
-    return here.depth(here.at(nt.a)) - (here.depth(t) if t > flat else 0)
+    return whole - (here.depth(t) if here.profile.compact and t > flat else 0)
 
 
 def _weighted(here: HalfSpace, a: Number) -> Iterator[tuple[Number, Number]]:
@@ -154,11 +158,11 @@ def _weighted(here: HalfSpace, a: Number) -> Iterator[tuple[Number, Number]]:
     ends = [mp.mpf(0), *(b for b in map(here.at, here.profile.breaks) if b < a), a]
     if nt.wavelength in here.profile.parameters:
         ends[1:1] = [here.at(nt.wavelength) * i for i in range(1, int(mp.ceil(a / here.at(nt.wavelength))))]
-    step = mp.mpf(2) / (here.digits + 4)
+    step, whole = mp.mpf(2) / (here.digits + 4), _whole(here, a)
     reach = int(mp.asinh(2.4 * here.digits / mp.pi) / step) + 1
     for low, high in pairwise(ends):
         for i in range(-reach, reach + 1):
             share = 1 / (1 + mp.exp(-mp.pi * mp.sinh(i * step)))
             t = low + (high - low) * share
             weight = (high - low) * step * mp.pi * mp.cosh(i * step) * share * (1 - share)
-            yield t, weight * _short(here, t)
+            yield t, weight * _short(here, whole, t)

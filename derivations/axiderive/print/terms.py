@@ -92,8 +92,10 @@ def _gathered(expr: sp.Expr) -> tuple[sp.Rational, dict[int, sp.Rational], dict[
 
 def _points_down(base: sp.Expr, positive: Callable[[sp.Expr], bool]) -> bool:
     """Whether -base reads better: it is known to be positive, or its largest coefficient is."""
-    if positive(base) or positive(-base):
-        return positive(-base)
+    if positive(base):
+        return False
+    if positive(-base):
+        return True
     loads = [term.as_coeff_Mul()[0] for term in base.args if LOADS & set(sp.Mul.make_args(term))]
     if loads and len(loads) < len(base.args):
         return all(c < 0 for c in loads)

@@ -92,7 +92,7 @@ class Proof:
             clauses = [[tuple(problem.breaks)], [problem.chain], [(problem.floor, "a")] if problem.floor else [()]]
             orders = [line for line in self.lines if line.word == "order" and self.holds(line.conditions, part)]
             clauses += [[self.chained(one) for one in line.text.split(" or ")] for line in orders]
-            levels = {letter for line in self.levels for letter in symbols(line.named()[2])}
+            levels = {letter for line in self.levels for letter in symbols(line.named[2])}
             members = {"a", *levels, *(m for clause in clauses for one in clause for m in one)}
             own = {"a", *levels, *self.section.letters, *problem.breaks, *problem.chain}
             also = part.also + tuple((self.expand(low, part), self.expand(high, part)) for low, high in given)
@@ -105,16 +105,14 @@ class Proof:
 
     def needs(self) -> list[tuple[Problem, str]]:
         """The quantities that the statements name, of this problem and of the normal contact below."""
-        lets = [(line.named()[0], line) for line in self.lets]
+        lets = [(line.named[0], line) for line in self.lets]
         names, left = self.section.first("needs"), [*self.levels, *self.asked]
         while left:
             found = [name for formula in left.pop().formulas() for name in mentioned(formula)]
             names += [name.strip("[]") for name in found if name.startswith("[")]
             left += [line for name, line in lets if name in (one.strip("[]") for one in found)]
             lets = [(name, line) for name, line in lets if line not in left]
-        quantities = {
-            name: None for name in names if name != "f" and all(line.named()[0] != name for line in self.lets)
-        }
+        quantities = {name: None for name in names if name != "f" and all(line.named[0] != name for line in self.lets)}
         beside = {self.suffix, *self.section.first("beside")}
         sources = [self.source(name)[1:] for name in quantities]
         return [(problem, suffix) for problem, suffix in sources if problem is not self.problem or suffix not in beside]
@@ -144,7 +142,7 @@ class Proof:
         if head == "[f]":
             piece = self.problem.pieces[sum(domain.below(b, parts[0]) for b in self.problem.breaks)]
             return put(piece, {"r": parts[0], "x": parts[0]})
-        if any(line.named()[0] == head[1:-1] for line in self.lets):
+        if any(line.named[0] == head[1:-1] for line in self.lets):
             return self.let(head[1:-1], parts, domain)
         side, problem, suffix = self.source(head[1:-1])
         return problem.proof(suffix).formula(side, parts, domain, self)
@@ -152,7 +150,7 @@ class Proof:
     def let(self, name: str, parts: list[Tree], domain: Domain) -> Tree:
         """What a name of the table stands for; the name itself where it is a symbol."""
         for line in self.lets:
-            known, letters, formula = line.named()
+            known, letters, formula = line.named
             if known == name and self.holds(line.conditions, domain):
                 return self.expand(put(formula, dict(zip(letters, parts, strict=True))), domain)
         return self.problem.medium.get(name, name)
@@ -174,7 +172,7 @@ class Proof:
 
     def place(self, member: Tree, values: dict[str, Tree], domain: Domain, asking: Proof) -> Tree:
         """The length that a member of an order stands for: a quantity given for a radius, or its value at a border."""
-        for name, _, level in (line.named() for line in self.levels):
+        for name, _, level in (line.named for line in self.levels):
             (radius,) = symbols(level)
             if member == name:
                 return radius

@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from functools import cache
+from functools import cache, cached_property
 from pathlib import Path
 
 from .reading import SIGNS, Chain, Tree, UnknownError, ordered, tree
@@ -33,6 +33,7 @@ class Line:
         word, _, after = rest.partition(" ")
         return cls(conditions, word, after) if word in WORDS else cls(conditions, "show", rest)
 
+    @cached_property
     def named(self) -> tuple[str, tuple[str, ...], Tree]:
         """Name, letters and formula of "let x[a] = y" or "level x = y"."""
         left, right = self.text.split(" = ")
@@ -41,7 +42,7 @@ class Line:
     def formulas(self) -> list[Tree]:
         """All formulas in a let, a level or a statement."""
         if self.word != "show":
-            return [self.named()[2]]
+            return [self.named[2]]
         return [x for one in statements(self.text) for x in (*one.sides, *(value for _, value in one.values))]
 
 

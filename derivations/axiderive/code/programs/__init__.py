@@ -12,6 +12,7 @@ import ast
 import re
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from importlib import import_module
 from types import FunctionType, ModuleType
 
@@ -126,12 +127,14 @@ def _calls(module: ModuleType, text: str) -> Iterator[Call]:
                 yield Call(formula, fields, keywords, orders, unused, signed, words)
 
 
-def _functions(text: str) -> Iterator[tuple[ast.FunctionDef, list[tuple[str, ast.Call]]]]:
+@lru_cache(maxsize=1024)
+def _functions(text: str) -> list[tuple[ast.FunctionDef, list[tuple[str, ast.Call]]]]:
     """The functions of a module with all calls in them, by the names that are called."""
-    for own in ast.parse(text).body:
-        if isinstance(own, ast.FunctionDef):
-            calls = [node for node in ast.walk(own) if isinstance(node, ast.Call)]
-            yield own, [(call.func.id, call) for call in calls if isinstance(call.func, ast.Name)]
+    found = []
+    for own in (node for node in ast.parse(text).body if isinstance(node, ast.FunctionDef)):
+        calls = [node for node in ast.walk(own) if isinstance(node, ast.Call)]
+        found.append((own, [(call.func.id, call) for call in calls if isinstance(call.func, ast.Name)]))
+    return found
 
 
 def _single(module: ModuleType, text: str) -> dict[str, FunctionType]:

@@ -101,7 +101,10 @@ class Twins:
 
     def needs_arrays(self, function: FunctionType) -> bool:
         """Whether a body, or one that it calls, needs nodes along an axis or what only arrays have."""
-        return self._needs_arrays(function, set())
+        seen = set[FunctionType]()
+        if not self._needs_arrays(function, seen):
+            self._needy |= dict.fromkeys(seen, False)  # no earlier: some may have been left out to close a circle
+        return self._needy[function]
 
     def _module(self, function: Any) -> str:
         """The dotted name of the module of a function, below the package."""
@@ -217,9 +220,9 @@ class Twins:
             found = self._looks_for_arrays(function) or any(
                 self._needs_arrays(other, seen) for other in self._called(function) if other not in seen
             )
-            if not found and len(seen) > 1:
-                return False  # others that are asked now may call it in a circle
-            self._needy[function] = found
+            if not found:
+                return False
+            self._needy[function] = True
         return self._needy[function]
 
     def _looks_for_arrays(self, function: FunctionType) -> bool:
