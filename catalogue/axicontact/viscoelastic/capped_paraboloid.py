@@ -182,8 +182,8 @@ def earlier_time_maxwell(
     Notes
     -----
     Valid for a << R2, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back, so
-    that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to t_m it is t, and
-    t_m while the depth is held. Handbook: capped_paraboloid.vis.earlier_mx.
+    that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is t up to
+    t_m, and t_m while the depth is held. Handbook: capped_paraboloid.vis.earlier_mx.
 
     References
     ----------
@@ -626,8 +626,8 @@ def earlier_time_kelvin_voigt(
     Notes
     -----
     Valid for a << R2, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back, so
-    that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to t_m it is t, and
-    t_m while the depth is held. Handbook: capped_paraboloid.vis.earlier_kv.
+    that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is t up to
+    t_m, and t_m while the depth is held. Handbook: capped_paraboloid.vis.earlier_kv.
 
     References
     ----------
@@ -1088,8 +1088,8 @@ def earlier_time_standard_solid(
     Notes
     -----
     Valid for a << R2, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back, so
-    that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to t_m it is t, and
-    t_m while the depth is held. Handbook: capped_paraboloid.vis.earlier_sls.
+    that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is t up to
+    t_m, and t_m while the depth is held. Handbook: capped_paraboloid.vis.earlier_sls.
 
     References
     ----------
@@ -1618,8 +1618,8 @@ def earlier_time_power_creep(
     Notes
     -----
     Valid for a << R2, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back, so
-    that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to t_m it is t, and
-    t_m while the depth is held. Handbook: capped_paraboloid.vis.earlier_pc.
+    that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is t up to
+    t_m, and t_m while the depth is held. Handbook: capped_paraboloid.vis.earlier_pc.
 
     References
     ----------

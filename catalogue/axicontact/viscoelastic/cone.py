@@ -176,7 +176,7 @@ def earlier_time_maxwell(
     -----
     Valid for tan(theta) << 1; a << size of the body, a ramp up to t_m, a depth that is held up to t_h and
     then a constant speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times
-    give NaN. Up to t_m it is t, and t_m while the depth is held. Handbook: cone.vis.earlier_mx.
+    give NaN. Here t_1 is t up to t_m, and t_m while the depth is held. Handbook: cone.vis.earlier_mx.
 
     References
     ----------
@@ -572,7 +572,7 @@ def earlier_time_kelvin_voigt(
     -----
     Valid for tan(theta) << 1; a << size of the body, a ramp up to t_m, a depth that is held up to t_h and
     then a constant speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times
-    give NaN. Up to t_m it is t, and t_m while the depth is held. Handbook: cone.vis.earlier_kv.
+    give NaN. Here t_1 is t up to t_m, and t_m while the depth is held. Handbook: cone.vis.earlier_kv.
 
     References
     ----------
@@ -979,7 +979,7 @@ def earlier_time_standard_solid(
     -----
     Valid for tan(theta) << 1; a << size of the body, a ramp up to t_m, a depth that is held up to t_h and
     then a constant speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times
-    give NaN. Up to t_m it is t, and t_m while the depth is held. Handbook: cone.vis.earlier_sls.
+    give NaN. Here t_1 is t up to t_m, and t_m while the depth is held. Handbook: cone.vis.earlier_sls.
 
     References
     ----------
@@ -1418,7 +1418,7 @@ def earlier_time_power_creep(
     -----
     Valid for tan(theta) << 1; a << size of the body, a ramp up to t_m, a depth that is held up to t_h and
     then a constant speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times
-    give NaN. Up to t_m it is t, and t_m while the depth is held. Handbook: cone.vis.earlier_pc.
+    give NaN. Here t_1 is t up to t_m, and t_m while the depth is held. Handbook: cone.vis.earlier_pc.
 
     References
     ----------

@@ -163,8 +163,8 @@ def earlier_time_maxwell(
     Notes
     -----
     Valid for sharp edge, frictionless, a ramp up to t_m, a depth that is held up to t_h and then a constant
-    speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to
-    t_m it is t, and t_m while the depth is held. Handbook: flat_punch.vis.earlier_mx.
+    speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1
+    is t up to t_m, and t_m while the depth is held. Handbook: flat_punch.vis.earlier_mx.
 
     References
     ----------
@@ -443,8 +443,8 @@ def earlier_time_kelvin_voigt(
     Notes
     -----
     Valid for sharp edge, frictionless, a ramp up to t_m, a depth that is held up to t_h and then a constant
-    speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to
-    t_m it is t, and t_m while the depth is held. Handbook: flat_punch.vis.earlier_kv.
+    speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1
+    is t up to t_m, and t_m while the depth is held. Handbook: flat_punch.vis.earlier_kv.
 
     References
     ----------
@@ -732,8 +732,8 @@ def earlier_time_standard_solid(
     Notes
     -----
     Valid for sharp edge, frictionless, a ramp up to t_m, a depth that is held up to t_h and then a constant
-    speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to
-    t_m it is t, and t_m while the depth is held. Handbook: flat_punch.vis.earlier_sls.
+    speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1
+    is t up to t_m, and t_m while the depth is held. Handbook: flat_punch.vis.earlier_sls.
 
     References
     ----------
@@ -1045,8 +1045,8 @@ def earlier_time_power_creep(
     Notes
     -----
     Valid for sharp edge, frictionless, a ramp up to t_m, a depth that is held up to t_h and then a constant
-    speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to
-    t_m it is t, and t_m while the depth is held. Handbook: flat_punch.vis.earlier_pc.
+    speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1
+    is t up to t_m, and t_m while the depth is held. Handbook: flat_punch.vis.earlier_pc.
 
     References
     ----------

@@ -175,8 +175,8 @@ def earlier_time_maxwell(
     Notes
     -----
     Valid for a << R, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back, so that
-    the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to t_m it is t, and t_m
-    while the depth is held. Handbook: paraboloid.vis.earlier_mx.
+    the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is t up to t_m, and
+    t_m while the depth is held. Handbook: paraboloid.vis.earlier_mx.
 
     References
     ----------
@@ -570,8 +570,8 @@ def earlier_time_kelvin_voigt(
     Notes
     -----
     Valid for a << R, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back, so that
-    the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to t_m it is t, and t_m
-    while the depth is held. Handbook: paraboloid.vis.earlier_kv.
+    the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is t up to t_m, and
+    t_m while the depth is held. Handbook: paraboloid.vis.earlier_kv.
 
     References
     ----------
@@ -976,8 +976,8 @@ def earlier_time_standard_solid(
     Notes
     -----
     Valid for a << R, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back, so that
-    the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to t_m it is t, and t_m
-    while the depth is held. Handbook: paraboloid.vis.earlier_sls.
+    the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is t up to t_m, and
+    t_m while the depth is held. Handbook: paraboloid.vis.earlier_sls.
 
     References
     ----------
@@ -1417,8 +1417,8 @@ def earlier_time_power_creep(
     Notes
     -----
     Valid for a << R, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back, so that
-    the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to t_m it is t, and t_m
-    while the depth is held. Handbook: paraboloid.vis.earlier_pc.
+    the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is t up to t_m, and
+    t_m while the depth is held. Handbook: paraboloid.vis.earlier_pc.
 
     References
     ----------

@@ -174,8 +174,8 @@ def earlier_time_maxwell(
     Notes
     -----
     Valid for small slopes, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back,
-    so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to t_m it is t,
-    and t_m while the depth is held. Handbook: polynomial.vis.earlier_mx.
+    so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is t up to
+    t_m, and t_m while the depth is held. Handbook: polynomial.vis.earlier_mx.
 
     References
     ----------
@@ -583,8 +583,8 @@ def earlier_time_kelvin_voigt(
     Notes
     -----
     Valid for small slopes, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back,
-    so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to t_m it is t,
-    and t_m while the depth is held. Handbook: polynomial.vis.earlier_kv.
+    so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is t up to
+    t_m, and t_m while the depth is held. Handbook: polynomial.vis.earlier_kv.
 
     References
     ----------
@@ -1001,8 +1001,8 @@ def earlier_time_standard_solid(
     Notes
     -----
     Valid for small slopes, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back,
-    so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to t_m it is t,
-    and t_m while the depth is held. Handbook: polynomial.vis.earlier_sls.
+    so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is t up to
+    t_m, and t_m while the depth is held. Handbook: polynomial.vis.earlier_sls.
 
     References
     ----------
@@ -1454,8 +1454,8 @@ def earlier_time_power_creep(
     Notes
     -----
     Valid for small slopes, a ramp up to t_m, a depth that is held up to t_h and then a constant speed back,
-    so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to t_m it is t,
-    and t_m while the depth is held. Handbook: polynomial.vis.earlier_pc.
+    so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is t up to
+    t_m, and t_m while the depth is held. Handbook: polynomial.vis.earlier_pc.
 
     References
     ----------

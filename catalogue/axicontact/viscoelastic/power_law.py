@@ -181,7 +181,7 @@ def earlier_time_maxwell(
     -----
     Valid for small slopes, n A a^(n-1) << 1, a ramp up to t_m, a depth that is held up to t_h and then a
     constant speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN.
-    Up to t_m it is t, and t_m while the depth is held. Handbook: power_law.vis.earlier_mx.
+    Here t_1 is t up to t_m, and t_m while the depth is held. Handbook: power_law.vis.earlier_mx.
 
     References
     ----------
@@ -601,7 +601,7 @@ def earlier_time_kelvin_voigt(
     -----
     Valid for small slopes, n A a^(n-1) << 1, a ramp up to t_m, a depth that is held up to t_h and then a
     constant speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN.
-    Up to t_m it is t, and t_m while the depth is held. Handbook: power_law.vis.earlier_kv.
+    Here t_1 is t up to t_m, and t_m while the depth is held. Handbook: power_law.vis.earlier_kv.
 
     References
     ----------
@@ -1028,7 +1028,7 @@ def earlier_time_standard_solid(
     -----
     Valid for small slopes, n A a^(n-1) << 1, a ramp up to t_m, a depth that is held up to t_h and then a
     constant speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN.
-    Up to t_m it is t, and t_m while the depth is held. Handbook: power_law.vis.earlier_sls.
+    Here t_1 is t up to t_m, and t_m while the depth is held. Handbook: power_law.vis.earlier_sls.
 
     References
     ----------
@@ -1486,7 +1486,7 @@ def earlier_time_power_creep(
     -----
     Valid for small slopes, n A a^(n-1) << 1, a ramp up to t_m, a depth that is held up to t_h and then a
     constant speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN.
-    Up to t_m it is t, and t_m while the depth is held. Handbook: power_law.vis.earlier_pc.
+    Here t_1 is t up to t_m, and t_m while the depth is held. Handbook: power_law.vis.earlier_pc.
 
     References
     ----------

@@ -179,8 +179,8 @@ def earlier_time_maxwell(
     Notes
     -----
     Valid for tan(theta) << 1, a ramp up to t_m, a depth that is held up to t_h and then a constant speed
-    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to t_m it
-    is t, and t_m while the depth is held. Handbook: rounded_cone.vis.earlier_mx.
+    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is t
+    up to t_m, and t_m while the depth is held. Handbook: rounded_cone.vis.earlier_mx.
 
     References
     ----------
@@ -610,8 +610,8 @@ def earlier_time_kelvin_voigt(
     Notes
     -----
     Valid for tan(theta) << 1, a ramp up to t_m, a depth that is held up to t_h and then a constant speed
-    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to t_m it
-    is t, and t_m while the depth is held. Handbook: rounded_cone.vis.earlier_kv.
+    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is t
+    up to t_m, and t_m while the depth is held. Handbook: rounded_cone.vis.earlier_kv.
 
     References
     ----------
@@ -1047,8 +1047,8 @@ def earlier_time_standard_solid(
     Notes
     -----
     Valid for tan(theta) << 1, a ramp up to t_m, a depth that is held up to t_h and then a constant speed
-    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to t_m it
-    is t, and t_m while the depth is held. Handbook: rounded_cone.vis.earlier_sls.
+    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is t
+    up to t_m, and t_m while the depth is held. Handbook: rounded_cone.vis.earlier_sls.
 
     References
     ----------
@@ -1534,8 +1534,8 @@ def earlier_time_power_creep(
     Notes
     -----
     Valid for tan(theta) << 1, a ramp up to t_m, a depth that is held up to t_h and then a constant speed
-    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to t_m it
-    is t, and t_m while the depth is held. Handbook: rounded_cone.vis.earlier_pc.
+    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is t
+    up to t_m, and t_m while the depth is held. Handbook: rounded_cone.vis.earlier_pc.
 
     References
     ----------

@@ -175,8 +175,8 @@ def earlier_time_maxwell(
     Notes
     -----
     Valid for small slopes, 6 A a^5 << 1, a ramp up to t_m, a depth that is held up to t_h and then a constant
-    speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to
-    t_m it is t, and t_m while the depth is held. Handbook: sextic.vis.earlier_mx.
+    speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1
+    is t up to t_m, and t_m while the depth is held. Handbook: sextic.vis.earlier_mx.
 
     References
     ----------
@@ -571,8 +571,8 @@ def earlier_time_kelvin_voigt(
     Notes
     -----
     Valid for small slopes, 6 A a^5 << 1, a ramp up to t_m, a depth that is held up to t_h and then a constant
-    speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to
-    t_m it is t, and t_m while the depth is held. Handbook: sextic.vis.earlier_kv.
+    speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1
+    is t up to t_m, and t_m while the depth is held. Handbook: sextic.vis.earlier_kv.
 
     References
     ----------
@@ -975,8 +975,8 @@ def earlier_time_standard_solid(
     Notes
     -----
     Valid for small slopes, 6 A a^5 << 1, a ramp up to t_m, a depth that is held up to t_h and then a constant
-    speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to
-    t_m it is t, and t_m while the depth is held. Handbook: sextic.vis.earlier_sls.
+    speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1
+    is t up to t_m, and t_m while the depth is held. Handbook: sextic.vis.earlier_sls.
 
     References
     ----------
@@ -1415,8 +1415,8 @@ def earlier_time_power_creep(
     Notes
     -----
     Valid for small slopes, 6 A a^5 << 1, a ramp up to t_m, a depth that is held up to t_h and then a constant
-    speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Up to
-    t_m it is t, and t_m while the depth is held. Handbook: sextic.vis.earlier_pc.
+    speed back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1
+    is t up to t_m, and t_m while the depth is held. Handbook: sextic.vis.earlier_pc.
 
     References
     ----------

@@ -172,7 +172,7 @@ def earlier_time_maxwell(
     -----
     Valid for a < R; the theory of small slopes asks for a << R, a ramp up to t_m, a depth that is held up to
     t_h and then a constant speed back, so that the contact has one maximum, and no adhesion. Negative or NaN
-    times give NaN. Up to t_m it is t, and t_m while the depth is held. Handbook: sphere.vis.earlier_mx.
+    times give NaN. Here t_1 is t up to t_m, and t_m while the depth is held. Handbook: sphere.vis.earlier_mx.
 
     References
     ----------
@@ -571,7 +571,7 @@ def earlier_time_kelvin_voigt(
     -----
     Valid for a < R; the theory of small slopes asks for a << R, a ramp up to t_m, a depth that is held up to
     t_h and then a constant speed back, so that the contact has one maximum, and no adhesion. Negative or NaN
-    times give NaN. Up to t_m it is t, and t_m while the depth is held. Handbook: sphere.vis.earlier_kv.
+    times give NaN. Here t_1 is t up to t_m, and t_m while the depth is held. Handbook: sphere.vis.earlier_kv.
 
     References
     ----------
@@ -979,7 +979,8 @@ def earlier_time_standard_solid(
     -----
     Valid for a < R; the theory of small slopes asks for a << R, a ramp up to t_m, a depth that is held up to
     t_h and then a constant speed back, so that the contact has one maximum, and no adhesion. Negative or NaN
-    times give NaN. Up to t_m it is t, and t_m while the depth is held. Handbook: sphere.vis.earlier_sls.
+    times give NaN. Here t_1 is t up to t_m, and t_m while the depth is held. Handbook:
+    sphere.vis.earlier_sls.
 
     References
     ----------
@@ -1422,7 +1423,7 @@ def earlier_time_power_creep(
     -----
     Valid for a < R; the theory of small slopes asks for a << R, a ramp up to t_m, a depth that is held up to
     t_h and then a constant speed back, so that the contact has one maximum, and no adhesion. Negative or NaN
-    times give NaN. Up to t_m it is t, and t_m while the depth is held. Handbook: sphere.vis.earlier_pc.
+    times give NaN. Here t_1 is t up to t_m, and t_m while the depth is held. Handbook: sphere.vis.earlier_pc.
 
     References
     ----------

@@ -181,7 +181,7 @@ def earlier_time_maxwell(
     -----
     Valid for a << R; waves so flat that g' >= 0 for every a, a ramp up to t_m, a depth that is held up to t_h
     and then a constant speed back, so that the contact has one maximum, and no adhesion. Negative or NaN
-    times give NaN. Up to t_m it is t, and t_m while the depth is held. Handbook:
+    times give NaN. Here t_1 is t up to t_m, and t_m while the depth is held. Handbook:
     wavy_paraboloid.vis.earlier_mx.
 
     References
@@ -630,7 +630,7 @@ def earlier_time_kelvin_voigt(
     -----
     Valid for a << R; waves so flat that g' >= 0 for every a, a ramp up to t_m, a depth that is held up to t_h
     and then a constant speed back, so that the contact has one maximum, and no adhesion. Negative or NaN
-    times give NaN. Up to t_m it is t, and t_m while the depth is held. Handbook:
+    times give NaN. Here t_1 is t up to t_m, and t_m while the depth is held. Handbook:
     wavy_paraboloid.vis.earlier_kv.
 
     References
@@ -1101,7 +1101,7 @@ def earlier_time_standard_solid(
     -----
     Valid for a << R; waves so flat that g' >= 0 for every a, a ramp up to t_m, a depth that is held up to t_h
     and then a constant speed back, so that the contact has one maximum, and no adhesion. Negative or NaN
-    times give NaN. Up to t_m it is t, and t_m while the depth is held. Handbook:
+    times give NaN. Here t_1 is t up to t_m, and t_m while the depth is held. Handbook:
     wavy_paraboloid.vis.earlier_sls.
 
     References
@@ -1637,7 +1637,7 @@ def earlier_time_power_creep(
     -----
     Valid for a << R; waves so flat that g' >= 0 for every a, a ramp up to t_m, a depth that is held up to t_h
     and then a constant speed back, so that the contact has one maximum, and no adhesion. Negative or NaN
-    times give NaN. Up to t_m it is t, and t_m while the depth is held. Handbook:
+    times give NaN. Here t_1 is t up to t_m, and t_m while the depth is held. Handbook:
     wavy_paraboloid.vis.earlier_pc.
 
     References
