@@ -40,7 +40,7 @@ def units(function: Callable[..., Any], n: float, k: float) -> Units | None:
     of = UNITS | {"m^(1-n)": (1 - n, 0, 0), "Pa m^(-k)": (-k, 1, 0)}
     text = inspect.getdoc(function) or ""
     before, _, after = text.partition("Returns\n")
-    found = re.findall(r"^(\w+) : array_like\n((?: {4}.*\n)+)", before, re.MULTILINE)
+    found = re.findall(r"^(\w+) : array_like(?:, optional)?\n((?: {4}.*\n)+)", before, re.MULTILINE)
     known = {name: re.search(r"\[([^\]]*)\][.,]", " ".join(meaning.split())) for name, meaning in found}
     name = getattr(function, "result", None)
     result = re.search(
