@@ -344,7 +344,7 @@ def _way_back() -> Iterator[Line]:
         return mp.exp(-s) + mp.mpf("0.3")
 
     def memory(s: Any) -> Any:
-        return mp.quad(fades, [0, s])
+        return mp.mpf("0.3") * s - mp.expm1(-s)
 
     with mp.workdps(2 * DIGITS):
         t, t_1, t_m, t_h, v, m = map(mp.mpf, ("1.7", "0.6", "1.3", "1.5", "0.9", "1.75"))
