@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import random
+import re
 from collections import Counter
 
 import mpmath as mp
@@ -105,11 +106,18 @@ def test_no_misprint_of_any_physics_survives(name: str) -> None:
     assert len({kind for *_, kind, _ in tried}) >= 3
 
 
+def _unsized(tex: str) -> str:
+    return re.sub(r"\\big[lr]|\s", "", tex)
+
+
 def test_a_misprint_in_front_does_not_survive() -> None:
     """Of definitions, special functions, laws and the table of profiles."""
     rng = random.Random("misprints in front")
     for reading in front_readings():
         for _, tex in itertools.islice(misprints(reading.tex, rng), 2):
+            # only the size of a bracket has moved
+            if _unsized(tex) == _unsized(reading.tex):
+                continue
             try:
                 assert reading.wrong(tex), f"{reading.place}: {tex}"
             except NOT_A_NUMBER:
