@@ -153,6 +153,20 @@ def test_a_wrong_zone_does_not_pass(monkeypatch, right, wrong, found):
             composed_from(COHESIVE.format("cone") + f'[want]\nquantities = ["{found}"]' + NO_PDF)
 
 
+def test_the_work_of_a_narrow_zone_is_asked_for_at_the_radius_that_is_given():
+    """Next to the edge the rounding of the outer radius alone is 6e-10 of the work."""
+    source = COHESIVE.format("cone").replace("20 kPa", "20 MPa")
+    result = composed_from(source + '[want]\nquantities = ["work_of_separation"]' + NO_PDF)
+    errors = json.loads(result.files["evidence.json"])["module against 20-digit quadrature"]
+    assert float(errors["work_of_separation"]) < 1e-14
+
+
+def test_a_zone_beyond_the_profile_is_refused():
+    source = COHESIVE.format("gaussian") + '[parameters]\nh = "1 nm"\ns = "1 um"\n[want]\nquantities = ["depth"]'
+    with pytest.raises(CommandError, match=r"sigma_0 = 20000: at a = .* beyond the profile; change these values"):
+        composed_from(source + NO_PDF)
+
+
 def test_the_worked_example_is_at_the_force_that_was_asked_for():
     """The state stands in the docstring; every function is tested there; the force found again is the one given."""
     files = composed_from(NEEDLE + NO_PDF).files

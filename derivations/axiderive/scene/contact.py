@@ -30,6 +30,8 @@ if TYPE_CHECKING:
 DIGITS = 20
 STICK = 0.6
 """Radius of the stick zone over the contact radius, or its place between a flat face and it."""
+NEEDLE = 1e-3
+"""A contact radius under a profile without lengths, in m."""
 MATERIAL = {"E_star": 1.0e6, "dgamma": 0.05, "G_star": 8.0e5, "mu": 0.3, "H": 1.0e6, "k": 0.25, "H_x": 8.0e5,
             "E": 1.0e6, "E_inf": 4.0e5, "E_1": 1.3e6, "eta": 3.0e6, "tau": 2.5, "alpha": 0.3, "t_0": 1.7}  # fmt: skip
 """Material values where a scene leaves them free; those of others are shown by their physics."""
@@ -46,8 +48,8 @@ def values_of(profile: Profile, request: Scene) -> tuple[dict[str, float], float
     shown = {name_of(symbol): float(sp.Rational(text)) for symbol, text in physics.shown.items()}
     drawn = shown | MATERIAL
     if physics.solved:
-        # a length of the size of the contact: shown for the modulus 1 and lengths of about 1
-        modulus, length = request.values.get("E_star", MATERIAL["E_star"]), _scale(profile, own)
+        # so that the length that is solved for is of the size of the contact: shown for the modulus 1 and lengths of 1
+        modulus, length = request.values.get("E_star", MATERIAL["E_star"]), _size(profile, own)
         units = {name: nt.describe(name).unit for name in shown}
         drawn |= {n: shown[n] * modulus * (length if units[n] == nt.describe("dgamma").unit else 1.0) for n in shown}
     material = {n: request.values.get(n, drawn[n]) for n in request.kind.material}
@@ -82,11 +84,11 @@ def _drawn(profile: Profile, values: Mapping[str, float]) -> dict[str, float]:
     return first
 
 
-def _scale(profile: Profile, values: Mapping[str, float]) -> float:
-    """The lengths of a profile over those of its sketch: the least."""
-    drawn, names = dict(profile.sketch.values), interface.parameters(profile)
-    long = lengths(profile.parameters)
-    return min((abs(values[n]) / float(drawn[p]) for n, p in names.items() if p in long and p in drawn), default=1.0)
+def _size(profile: Profile, values: Mapping[str, float]) -> float:
+    """A contact radius of the size of the lengths of a profile; that of a needle where it has none."""
+    drawn, own = dict(profile.sketch.values), interface.parameters(profile).items()
+    scales = [values[name] / float(drawn[symbol]) for name, symbol in own if lengths([symbol])]
+    return min(scales) * profile.sketch.a if scales else NEEDLE
 
 
 def short(place: float) -> float:
@@ -137,10 +139,7 @@ class Contact:
             inner = [] if self.profile.truncated else [0.6 * breaks[0]]
             found = [*inner, 1.4 * breaks[-1]]
             return [x for x in found if x < self.reach] or [breaks[-1] + 0.5 * (self.reach - breaks[-1])]
-        drawn = dict(self.profile.sketch.values)
-        scales = [known[p] / float(drawn[p]) for p in lengths(self.profile.parameters)]
-        top = min(scales) * self.profile.sketch.a if scales else 1e-3
-        top = min(top, 0.8 * self.end())
+        top = min(_size(self.profile, self.all), 0.8 * self.end())
         return [0.4 * top, top]
 
     def end(self) -> float:

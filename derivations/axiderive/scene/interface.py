@@ -33,10 +33,8 @@ TILTED = "tilted"
 WHOLE = {subsurface.PHYSICS: fields.GIVEN}
 """Functions of several results, each of which has its own way over arrays."""
 BACK = ("v", "v_2", "t_m", "t_h")
-LOADED = {
-    "ramp": ("t", "v"), "step": ("t", "d"), "load": ("t", "F"), "retract": ("t", *BACK), "radius": ("t", *BACK),
-    "earlier": ("t", *BACK), "end": BACK,
-}  # fmt: skip
+LOADED = {"ramp": ("t", "v"), "step": ("t", "d"), "load": ("t", "F"), "end": BACK,
+          **dict.fromkeys(("retract", "radius", "earlier"), ("t", *BACK))}  # fmt: skip
 """What functions of a material law are given, by the kind of loading."""
 PULL_OFF = "pull_off"
 INVERSES = frozenset(quantity.function for quantity in COMPACT.values() if quantity.inverts)

@@ -18,6 +18,7 @@ import sympy as sp
 from .. import notation as nt
 from ..code import example
 from ..entry import COMPACT
+from ..exits import FAILED, CommandError
 from ..oracle.definitions import ring
 from ..oracle.evaluate import case_at, evaluated
 from ..oracle.half_space import HalfSpace
@@ -231,19 +232,16 @@ class _Radius:
     def solved(self, function: Function, stated: Mapping[str, sp.Expr]) -> Rows:
         """A contact with a length that is the root of an equation, by the definitions at that length."""
         a, quantity, places = self.a, function.quantity, [short(0.45 * self.a)]
-        length = self.length(stated)
-        if length is None:
-            return []
-        if quantity.symbol == self.contact.request.kind.physics.solved:
+        length, solved = self.length(stated), self.contact.request.kind.physics.solved
+        if quantity.symbol == solved:
             return [((a,), length)]
         if quantity.place == "outside":
             places = [short(float(length * share + a * (1 - share))) for share in (0.4, 1.7)]
         rows = Rows()
         for r in places if nt.r in quantity.arguments else (0.0,):
-            known = {nt.r: r, nt.a: a}
-            here = self.at(length, r=r)
-            # a length that is given may be another one; that of the root has as many digits as a float
-            fields = tuple(known.get(s) or float(length) for s in quantity.arguments)
+            # what takes the length itself is defined at the rounded one
+            here = self.at(mp.mpf(float(length)) if solved in quantity.arguments else length, r=r)
+            fields = tuple({nt.r: r, nt.a: a, solved: float(length)}[symbol] for symbol in quantity.arguments)
             rows.append((fields, here.defined(stated[quantity.suffix])))
         return rows
 
@@ -254,7 +252,7 @@ class _Radius:
         return replace(here, values={**here.values, solved: length})
 
     def length(self, stated: Mapping[str, sp.Expr]) -> Any:
-        """The root by one step of the definition from that of the formula, found once; None beyond the profile."""
+        """The root by one step of the definition from that of the formula, found once."""
         contact, system = self.contact, self.contact.request.kind.system
         key = (system.physics.solved, self.a)
         if key not in contact.found:
@@ -269,7 +267,9 @@ class _Radius:
 
             ends = self.a * (1 + mp.mpf(NEAREST)), min(contact.end() * (1 - mp.mpf(NEAR)), self.a / mp.mpf(STEP))
             if formula(ends[1]) < 0:
-                return contact.found.setdefault(key, None)
+                given = ", ".join(f"{name} = {contact.all[name]:g}" for name in contact.request.kind.material)
+                message = f"{given}: at a = {self.a:.3g} m the zone is beyond the profile; change these values"
+                raise CommandError(message, FAILED)
             start = mp.findroot(formula, ends, solver="anderson", tol=mp.mpf(10) ** -DIGITS, verify=False)
             here, step = self.at(start), STEP * (start - self.a)
             missing = mp.log(here.defined(wanted.lhs) / here.defined(wanted.rhs))

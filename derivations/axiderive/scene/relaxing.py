@@ -52,14 +52,10 @@ class Relaxing:
         # what came after t_1 and what went since t_h have left nothing
         came = self.gained(self.t - t_1) - self.gained(self.t - t_m)
         turned = (float(v), float(v * came / self.gained(self.t - t_h)), float(t_m), float(t_h))
-        match function.name:
-            case "contact_time":
-                return turned, self.t
-            case "earlier_time":
-                return (t, *turned), t_1
-            case "retract_radius":
-                return (t, *turned), self.size
-        return (t, *turned), self.pressed(t_1)
+        if function.name == "contact_time":
+            return turned, self.t
+        found = {"earlier_time": t_1, "retract_radius": self.size}.get(function.name)
+        return (t, *turned), self.pressed(t_1) if found is None else found
 
     def gained(self, time: Any) -> Any:
         """int E ds over the time since a spring was touched, with the impulse of a dashpot."""
