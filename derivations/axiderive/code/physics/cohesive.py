@@ -77,7 +77,7 @@ def _states(writer: Writer, opened: str) -> None:
     writer.rule("_pull_off_radius", [], [*needs, "control"], [pulled])
     apart = f"alone({opened}, {{}}, E_star, dgamma, sigma_0)"
     writer.rule("_parted", [], needs, [first, f"return parted({opened}, first, E_star, sigma_0)"])
-    zone = f"return either(a > 0.0, lambda: _zone(a, {given}), lambda: _parted({given}))"
+    zone = f"return either(a > 0.0, lambda: _zone(a, {given}), lambda: np.where(a == 0.0, _parted({given}), np.nan))"
     writer.rule("_pull_off_zone", ["a"], needs, [zone])
     depth = f"return either(a > 0.0, lambda: _depth_of(a, q, {given}), lambda: {apart.format('q')})"
     writer.rule("_pull_off_depth", ["a", "q"], needs, [depth])
@@ -244,9 +244,10 @@ def _pull_off(writer: Writer) -> None:
     first, fixed = ("A=A, ", "partial({}, A=A)") if writer.summed else ("", "{}")
     body = [*writer.checks(_symbols(writer)), "require_control(control)"]
     body.append(f"radius = elementwise(partial(_pull_off_radius, {first}control=control), {named})")
-    body.append(f"zone = elementwise({fixed.format('_pull_off_zone')}, radius, {named})")
+    # by name, as a radius of 0 is a result and not a field that may be missing
+    body.append(f"zone = elementwise({fixed.format('_pull_off_zone')}, a=radius, {named})")
     for load, formula in (("force", "_force_of"), ("depth", "_pull_off_depth")):
-        body.append(f"{load} = elementwise({fixed.format(formula)}, radius, zone, {named})")
+        body.append(f"{load} = elementwise({fixed.format(formula)}, a=radius, q=zone, {named})")
     doc = docstring.of_state(
         "State at which the contact breaks on unloading.",
         docstring.wrapped(" ".join(PULLED)),
