@@ -190,6 +190,7 @@ PHYSICS = Physics(
     over=normal.PHYSICS,
     refusal=refusal,
     material=(nu, thickness),
+    choices={"base": ("how the layer lies on what is below it", tuple(BASES))},
     contact="on a layer",
     runtime=("physics.layer",),
     quantities={"layer": CURVED, "layer below a punch": PUNCH},
@@ -198,5 +199,6 @@ PHYSICS = Physics(
     compared="collocation of the displacement of the surface",
     proofs=lambda *_: {},
     shown={nu: "3/10", thickness: "2"},
+    wanted=("depth", "force", "pressure"),
     printed=False,
 )

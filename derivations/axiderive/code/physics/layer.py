@@ -92,9 +92,9 @@ def _punch(writer: Writer) -> dict[str, list[str]]:
     _contact(writer, [], "")
     state, half = "found = _contact(a, nu, thickness, base)", writer.call("_pressure")
     return {
-        "force": [state, 'return E_star * d * found.of("stiffness")'],
-        "pressure": [state, f'return {half} * found.of("edge") + E_star * d * found.pressure(r)'],
-        "depth_from_force": [state, 'return F / (E_star * found.of("stiffness"))'],
+        "force": [state, 'return E_star * d * number_of(found, "stiffness")'],
+        "pressure": [state, f'return {half} * number_of(found, "edge") + E_star * d * added_pressure(found, r)'],
+        "depth_from_force": [state, 'return F / (E_star * number_of(found, "stiffness"))'],
     }
 
 
@@ -111,10 +111,14 @@ def _curved(writer: Writer) -> dict[str, list[str]]:
     end = "np.inf" if last is None else python(last)
 
     d, force = name_of(nt.d), name_of(nt.F)
-    growth = 'E_star * found.of("stiffness") * found.of("rate")'
+    growth = 'E_star * number_of(found, "stiffness") * number_of(found, "rate")'
     curves = {
-        "radius_from_depth": (d, f'{writer.call("_depth", "t")} - found.of("less")', 'found.of("rate")'),
-        "radius_from_force": (force, f'{writer.call("_force", "t")} + E_star * found.of("more")', growth),
+        "radius_from_depth": (
+            d,
+            f'{writer.call("_depth", "t")} - number_of(found, "less")',
+            'number_of(found, "rate")',
+        ),
+        "radius_from_force": (force, f'{writer.call("_force", "t")} + E_star * number_of(found, "more")', growth),
     }
     searched = {
         name: [
@@ -135,9 +139,9 @@ def _curved(writer: Writer) -> dict[str, list[str]]:
     elastic = ", ".join([*writer.geometry, "E_star", "nu", "thickness", "base"])
     by_depth, by_force = f"_radius_from_depth({', '.join([d, *own])})", f"_radius_from_force({force}, {elastic})"
     return {
-        "depth": [state, f'return {writer.call("_depth")} - found.of("less")'],
-        "force": [state, f'return {writer.call("_force")} + E_star * found.of("more")'],
-        "pressure": [state, f"return {writer.call('_pressure')} + E_star * found.pressure(r)"],
+        "depth": [state, f'return {writer.call("_depth")} - number_of(found, "less")'],
+        "force": [state, f'return {writer.call("_force")} + E_star * number_of(found, "more")'],
+        "pressure": [state, f"return {writer.call('_pressure')} + E_star * added_pressure(found, r)"],
         **searched,
         **opened,
         "force_from_depth": [f"return _force({by_depth}, {elastic})"],
