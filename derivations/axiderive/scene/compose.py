@@ -172,7 +172,12 @@ class _Composition:
             # the shape is that of any medium
             key = OF_RUNTIME.get(kind.name, {}).get(quantity, f"normal.{name}:_{quantity}")
         fields, needs = interface.arguments(function, self.entries), definition(modules, key).parameters
-        if not fields or function.leaning:
+        if nt.t_h.name in fields:
+            if module.TEMPLATES["hold"] not in texts:
+                texts.append(module.TEMPLATES["hold"])
+            texts.append(module.held(modules, key, quantity))
+            key = f"{OWN}:{quantity}"
+        elif not fields or function.leaning:
             write = module.leaning(key, quantity) if fields else module.number(modules, key, quantity, array=array)
             texts.append(write)
             key = f"{OWN}:{quantity}"

@@ -309,6 +309,14 @@ def leaning(key: str, name: str) -> str:
     return TEMPLATES["leaning"].format(module=module, private=private, name=name)
 
 
+def held(modules: Mapping[str, Module], key: str, name: str) -> str:
+    """A function of a depth that is held, which must not end before it begins."""
+    own = definition(modules, key)
+    return TEMPLATES["held"].format(
+        module=own.module.name, private=own.name, name=name, parameters=", ".join(own.parameters)
+    )
+
+
 def order(profile: Profile, rules: Sequence[Rule], kind: interface.Kind, frozen: Iterable[str]) -> str:
     """The check of the rules between parameters of which some are free; empty if none is."""
     left = {name: symbol for name, symbol in interface.parameters(profile).items() if name not in set(frozen)}

@@ -73,7 +73,8 @@ class _Written(ast.NodeTransformer):
         shape = f"!{chr(part.conversion)}" if part.conversion > 0 else ""
         if isinstance(part.format_spec, ast.JoinedStr):
             shape += ":" + "".join(map(self._part, part.format_spec.values))
-        return "{" + source(self.visit(part.value)) + shape + "}"
+        # before Python 3.12 a text inside has other quotes
+        return "{" + source(self.visit(part.value)).replace('"', "'") + shape + "}"
 
     def visit_Expr(self, node: ast.Expr) -> ast.AST:
         """A line of comment, or a docstring."""
