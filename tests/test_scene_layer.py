@@ -21,6 +21,7 @@ layer = {{ thickness = "2 mm", nu = 0.3{} }}
 
 
 INVERSES = ("radius_from_depth", "radius_from_force", "force_from_depth", "depth_from_force")
+ADHESIVE = ("adhesive_depth", "adhesive_force", "adhesive_pressure")
 
 
 @pytest.mark.parametrize(
@@ -28,7 +29,10 @@ INVERSES = ("radius_from_depth", "radius_from_force", "force_from_depth", "depth
     [
         ("flat_punch", (), 3),
         pytest.param(
-            "truncated_cone", (*INVERSES, "depth_first_order", "force_second_order"), 11, marks=pytest.mark.slow
+            "truncated_cone",
+            (*INVERSES, "depth_first_order", "force_second_order", *ADHESIVE),
+            16,
+            marks=pytest.mark.slow,
         ),
         pytest.param("c*r**2 + q*r**3", INVERSES, 8, marks=pytest.mark.slow),
         pytest.param("paraboloid", ("depth_second_order",), 5, marks=pytest.mark.slow),

@@ -36,17 +36,26 @@ class Layered:
     @cached_property
     def solved(self) -> Layer:
         """The contact, solved once."""
+        return self._solved(adhesive=False)
+
+    @cached_property
+    def pulled(self) -> Layer:
+        """The same with adhesion."""
+        return self._solved(adhesive=True)
+
+    def _solved(self, *, adhesive: bool) -> Layer:
         free = {} if self.contact.compact else {nt.d.name: short(SUNK * self.a)}
         (base,) = self.contact.request.choices.values()
-        return layer(self.contact.half_space(DIGITS, a=self.a, **free), base)
+        return layer(self.contact.half_space(DIGITS, a=self.a, **free), base, adhesive=adhesive)
 
     def rows(self, function: Function) -> list[tuple[tuple[float, ...], Any]]:
         """Calls of a function with their results."""
         kind, quantity, a = self.contact.request.kind, function.quantity, self.a
         entry = kind.system.derive(self.contact.profile)[quantity.suffix]
-        known = {nt.a: mp.mpf(a), nt.d: self.solved.depth, nt.F: self.solved.force()}
+        solved = self.pulled if nt.dgamma in entry.parameters else self.solved
+        known = {nt.a: mp.mpf(a), nt.d: solved.depth, nt.F: solved.force()}
         if nt.r not in quantity.arguments:
-            return [(tuple(float(known[own]) for own in quantity.arguments), self.solved.stated(entry))]
+            return [(tuple(float(known[own]) for own in quantity.arguments), solved.stated(entry))]
         places = [short(x) for x in (0.45 * a, *self.contact.between(a))]
-        found = [(place, self.solved.pressure(mp.mpf(place))) for place in places] + [(short(1.6 * a), mp.mpf(0))]
+        found = [(place, solved.pressure(mp.mpf(place))) for place in places] + [(short(1.6 * a), mp.mpf(0))]
         return [((r, *(float(known[own]) for own in quantity.arguments[1:])), value) for r, value in found]

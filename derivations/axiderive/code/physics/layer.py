@@ -73,13 +73,12 @@ def _base() -> list[str]:
 
 def rules(writer: Writer) -> None:
     """Adds what the layer changes of one contact, and what follows from that."""
-    geometry, layer = writer.geometry, ["nu", "thickness", "base"]
+    geometry = writer.geometry
     lines = _punch(writer) if writer.profile.complete else _curved(writer)
     for entry in writer.entries.values():
-        quantity = entry.quantity
-        elastic = ["E_star"] if quantity.elastic else []
-        fields = list(map(name_of, entry.arguments))
-        writer.rule(f"_{quantity.function}", fields, [*geometry, *elastic, *layer], lines[quantity.function])
+        function, fields = entry.quantity.function, list(map(name_of, entry.arguments))
+        names = [name_of(symbol) for symbol in entry.parameters if symbol not in writer.profile.parameters]
+        writer.rule(f"_{function}", fields, [*geometry, *names, "base"], lines[function])
 
 
 def _contact(writer: Writer, geometry: list[str], shape: str) -> None:
@@ -137,6 +136,8 @@ def _curved(writer: Writer) -> dict[str, list[str]]:
         if entry.status == "expansion"
     }
     elastic = ", ".join([*writer.geometry, "E_star", "nu", "thickness", "base"])
+    moved = "retraction_on_layer(a, E_star, nu, thickness, dgamma, base)"
+    punch, drawn = "punch = below_punch(a, thickness, nu, base)", f"drawn = E_star * {moved}"
     by_depth, by_force = f"_radius_from_depth({', '.join([d, *own])})", f"_radius_from_force({force}, {elastic})"
     return {
         "depth": [state, f'return {writer.call("_depth")} - number_of(found, "less")'],
@@ -144,6 +145,14 @@ def _curved(writer: Writer) -> dict[str, list[str]]:
         "pressure": [state, f"return {writer.call('_pressure')} + E_star * added_pressure(found, r)"],
         **searched,
         **opened,
+        "adhesive_depth": [f"return _depth({', '.join(['a', *own])}) - {moved}"],
+        "adhesive_force": [punch, drawn, f'return _force(a, {elastic}) - drawn * number_of(punch, "stiffness")'],
+        "adhesive_pressure": [
+            punch,
+            drawn,
+            "pulled = tension(r, a, E_star, dgamma) + drawn * added_pressure(punch, r)",
+            f"return _pressure(r, a, {elastic}) - pulled",
+        ],
         "force_from_depth": [f"return _force({by_depth}, {elastic})"],
         "depth_from_force": [f"return _depth({by_force}, {', '.join(own)})"],
     }

@@ -17,6 +17,7 @@ from ..integrals import in_parts
 from ..interface import KEPT, Array
 from ..inverse import Curve, inverse
 from ..nodes import gauss_legendre
+from .adhesion import hess_retraction
 
 THINNEST = 20.0
 """Contact radius over thickness up to which the errors were measured."""
@@ -111,6 +112,17 @@ def of_states(contact: Callable[..., State]) -> Callable[..., States]:
         return States(found, places.reshape(arrays[0].shape))
 
     return over_states
+
+
+@of_states
+def below_punch(a: float, h: float, nu: float, base: str) -> State:
+    """A flat punch that sinks by a unit."""
+    return on_layer(a, h, nu, base)
+
+
+def retraction_on_layer(a: Array, E_star: Array, nu: Array, h: Array, dgamma: Array, base: str) -> Array:
+    """By which adhesion moves the punch: its last spring is drawn out by as much as on the half-space."""
+    return hess_retraction(a, E_star, dgamma) / number_of(below_punch(a, h, nu, base), "edge")
 
 
 def require_base(base: str) -> None:
