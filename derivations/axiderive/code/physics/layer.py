@@ -13,7 +13,7 @@ from ...entry import Entry
 from ...letters import name_of
 from ...oracle.layer import Layer, layer
 from ...physics import DEPTH, FORCE
-from ...physics.layer import BASES, MOMENTS, order, thickness
+from ...physics.layer import BASES, MOMENTS, PHYSICS, order, thickness
 from .. import docstring
 from ..example import DIGITS, Example
 from ..function import Function
@@ -67,8 +67,9 @@ def _stiffest(example: Example) -> Layer:
 
 
 def _base() -> list[str]:
-    choice = ", ".join(f'"{own}"' for own in BASES)
-    return [f"base : {{{choice}}}", "    How the layer lies on what is below it."]
+    meaning, words = PHYSICS.choices["base"]
+    choice = ", ".join(f'"{own}"' for own in words)
+    return [f"base : {{{choice}}}", f"    {docstring.capital(meaning)}."]
 
 
 def rules(writer: Writer) -> None:
