@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from itertools import pairwise
 
+import mpmath as mp
 import numpy as np
 import pytest
 import sympy as sp
@@ -13,9 +14,32 @@ from axicontact.adhesive import paraboloid as adhesive
 from axicontact.layer import flat_punch, paraboloid
 from axiderive import notation as nt
 from axiderive.checks.checks import check_problem
+from axiderive.oracle.half_space import HalfSpace
+from axiderive.oracle.layer import layer
 from axiderive.physics import layer as stated
 from axiderive.physics.systems import problem
 from axiderive.profiles import load
+
+DIGITS = 18
+
+
+@pytest.mark.parametrize(
+    ("base", "nu", "ratio"),
+    [
+        ("frictionless", 0.3, 0.5),
+        *(pytest.param(*own, marks=pytest.mark.slow) for own in (("bonded", 0.5, 0.25), ("bonded", 0.5, 3.0))),
+    ],
+)
+def test_the_surface_is_where_the_indenter_is(base: str, nu: float, ratio: float) -> None:
+    """By collocation; measured 3e-15 at worst."""
+    values = {nt.R: sp.Integer(2), nt.a: sp.S.One, nt.E_star: sp.S.One, nt.dgamma: sp.Rational(1, 64)}
+    values |= {nt.nu: sp.Rational(nu), stated.thickness: 1 / sp.Rational(ratio)}
+    with mp.workdps(DIGITS + 10):
+        found = layer(HalfSpace(load("paraboloid"), values, DIGITS, graded=False), base, adhesive=True)
+        wanted = [float(own) for own in (found.depth, found.force(), found.pressure(mp.mpf("0.75")))]
+    given = {"R": 2.0, "E_star": 1.0, "nu": nu, "thickness": 1.0 / ratio, "dgamma": 1.0 / 64.0, "base": base}
+    own = paraboloid.adhesive_depth(1.0, **given), paraboloid.adhesive_force(1.0, **given)
+    assert [*own, paraboloid.adhesive_pressure(0.75, 1.0, **given)] == pytest.approx(wanted, rel=2e-14)
 
 
 def test_the_edge_releases_the_energy_of_its_separation() -> None:
