@@ -49,11 +49,14 @@ def values_of(profile: Profile, request: Scene) -> tuple[dict[str, float], float
     physics = request.kind.physics
     shown = {name_of(symbol): float(sp.Rational(text)) for symbol, text in physics.shown.items()}
     drawn = shown | MATERIAL
-    # shown for the modulus 1 and lengths of 1: lengths, also one that is solved for, are of the size of the contact
-    modulus, length = request.values.get("E_star", MATERIAL["E_star"]), _size(profile, own)
-    scales = {"m": length} | ({"Pa": modulus, nt.describe("dgamma").unit: modulus * length} if physics.solved else {})
-    units = {name_of(symbol): nt.describe(symbol).unit for symbol in physics.shown}
-    drawn |= {name: shown[name] * scales[unit] for name, unit in units.items() if unit in scales}
+    units = {name_of(symbol): nt.describe(symbol).unit for symbol in physics.material}
+    if physics.solved or "m" in units.values():
+        # shown for the modulus 1 and lengths of 1: lengths, also one that is solved for, are of the size of the contact
+        modulus, length = request.values.get("E_star", MATERIAL["E_star"]), _size(profile, own)
+        scales = {"m": length}
+        if physics.solved:
+            scales |= {"Pa": modulus, nt.describe("dgamma").unit: modulus * length}
+        drawn |= {name: shown[name] * scales[unit] for name, unit in units.items() if unit in scales}
     material = {n: request.values.get(n, drawn[n]) for n in request.kind.material}
     if request.own is None:
         return own | material, np.inf
