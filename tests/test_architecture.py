@@ -32,7 +32,7 @@ LATER = (
     *("physics/consequences/", "code/bodies/consequences", "runtime/shapes/energy", "runtime/shapes/load_within"),
     *("physics/cohesive", "code/physics/cohesive", "runtime/physics/cohesive"),
     *("physics/layer", "oracle/layer", "checks/layer", "code/physics/layer", "runtime/physics/layer"),
-    *("rows/layer", "readback/layer"),
+    *("rows/layer", "readback/layer", "scene/layered"),
 )
 """What came since, counted by itself: fields below the surface; torsion; cohesive zones; layers; a way back; load
 within a radius and energy; other languages and calculators."""

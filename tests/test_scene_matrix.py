@@ -22,7 +22,9 @@ PROFILES = {
     "strip": "wedge", "concave strip": "concave_parabola", "eccentric": "eccentric_punch", "pressure": "uniform",
     "any power": "power",
 }  # fmt: skip
-KINDS = ("normal", "adhesive", "cohesive", "tangential", "torsion", "viscoelastic", "plane", "loads", "subsurface")
+KINDS = (
+    "normal", "adhesive", "cohesive", "tangential", "torsion", "viscoelastic", "plane", "loads", "subsurface", "layer",
+)  # fmt: skip
 SLOW = {("waves", "homogeneous"), ("waves", "power_law")}
 """Quadratures over many waves."""
 QUICK = {
@@ -112,7 +114,7 @@ def test_the_matrix_is_full():
     counts = {kind: sum(cell.kind == kind for cell in ACCEPTED) for kind in KINDS}
     assert counts == {
         "normal": 18, "adhesive": 16, "cohesive": 2, "tangential": 10, "torsion": 2, "viscoelastic": 10, "plane": 5,
-        "loads": 2, "subsurface": 8,
+        "loads": 2, "subsurface": 8, "layer": 7,
     }  # fmt: skip
 
 

@@ -120,6 +120,21 @@ def test_a_wrong_relaxation_does_not_pass(monkeypatch):
         composed_from('profile = "cone"\n[physics]\nviscoelastic = { model = "maxwell" }' + NO_PDF)
 
 
+def test_a_hold_that_ends_before_it_begins_is_refused():
+    """As the package does: the first pair of times is named."""
+    law = '{ model = "maxwell", E = "2 MPa", tau = "3 s" }'
+    wanted = ["contact_time", "earlier_time"]
+    source = f'profile = "cone"\n[physics]\nviscoelastic = {law}\n[want]\nquantities = {wanted}{NO_PDF}'
+    space: dict[str, object] = {}
+    exec(composed_from(source).files["scene.py"].decode(), space)
+    assert space["contact_time"](0.2, 0.1, 0.8, 0.8) < space["contact_time"](0.2, 0.1, 0.8, 0.9)
+    for name, fields in (("contact_time", ()), ("earlier_time", (1.2,))):
+        with pytest.raises(
+            ValueError, match=r"t_m = 0.8, t_h = 0.5: t_h >= t_m is violated; the depth is held from t_m"
+        ):
+            space[name](*fields, 0.2, 0.1, 0.8, [0.9, 0.5])
+
+
 COHESIVE = """profile = "{}"
 [medium]
 E_star = "1 MPa"

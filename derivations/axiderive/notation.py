@@ -197,7 +197,7 @@ alpha = define("alpha", r"\alpha", NUMBER, "1", "0 < alpha < 1", "exponent of po
 t_0 = define("t_0", "t_0", NUMBER, "s", "t_0 > 0", "reference time of power-law creep, J = (t/t_0)^alpha/E")
 v_2 = define("v_2", "v_2", LENGTH, "m/s", "v_2 > 0", "speed of retraction, from t_h on")
 t_m = define("t_m", r"t_{\mathrm m}", NUMBER, "s", "t_m > 0", "time at which the indenter stops")
-t_h = define("t_h", r"t_{\mathrm h}", NUMBER, "s", "t_h >= t_m", "time at which it goes back, held at v t_m until then")
+t_h = define("t_h", r"t_{\mathrm h}", NUMBER, "s", "t_h >= t_m", "time at which the indenter goes back, held at v t_m until then")
 t_1 = define("t_1", "t_1", NUMBER, "s", "", "time before at which the contact was as large")
 t_c = define("t_c", r"t_{\mathrm c}", NUMBER, "s", "", "time at which the contact ends")
 

@@ -15,10 +15,10 @@ from .. import notation as nt
 from ..oracle.evaluate import decades
 from ..oracle.half_space import HalfSpace
 from ..oracle.integrals import GUARD
-from ..oracle.layer import Layer, layer
+from ..oracle.layer import layer
 from ..oracle.rules import gauss_rule
 from ..oracle.shape import Number, Values, number
-from ..physics.layer import BASES, EQUATION, KERNEL, SPRING, order, sinking, thickness
+from ..physics.layer import ADHESIVE, BASES, EQUATION, KERNEL, SPRING, order, sinking, thickness
 from .comparison import Comparison, Evidence, Rows, residual
 
 DIGITS, LOST = 14, 3
@@ -32,6 +32,8 @@ LEAST = mp.mpf(10) ** -(DIGITS - 2)
 """What an expansion leaves out, but for a factor, where it is compared."""
 PLACES = (sp.Rational(1, 5), sp.Rational(7, 10))
 """Over the contact radius, where the equation is asked for."""
+PULLED = sp.Rational(1, 5)
+"""Root of dgamma a/E_star, over the depth without adhesion."""
 RATE = sp.Function("rate")
 """The derivative of what a spring is pressed in."""
 
@@ -42,21 +44,26 @@ def check_profile(own: Comparison) -> list[Evidence]:
     inside: Rows = []
     with mp.workdps(DIGITS + GUARD):
         for (base, nu, ratio), drawn in zip(CASES, _drawn(own), strict=False):
-            here, found = _contact(own, drawn, base, nu, ratio)
-            values = here.values
-            # the same integrals and nodes come again
-            taken: dict[Any, Callable[..., Number]] = {SPRING: cache(found.spring), RATE: found.rate}
-            taken[KERNEL] = _kernel(values, base)
-            stated = replace(here, known=taken)
-            value, wanted = cache(stated.defined), cache(found.value)
-            for suffix in rows:
-                entry = own.entries[suffix]
-                formula, symbol = entry.cases[0].expr, entry.quantity.symbol
-                left, right = formula.args if isinstance(formula, sp.Equality) else (formula, symbol)
-                rows[suffix].append((values, residual(value(_regular(left)), wanted(right))))
-            for place in PLACES:
-                there = replace(stated, values={**values, nt.t: place * values[nt.a], nt.d: found.depth})
-                inside.append((there.values, residual(there.defined(EQUATION), there.defined(SPRING(nt.t)))))
+            here = _contact(own, drawn, nu, ratio)
+            values, kernel = here.values, _kernel(here.values, base)
+            for adhesive in (False, True) if own.profile.compact else (False,):
+                found = layer(here, base, adhesive=adhesive)
+                # the same integrals and nodes come again
+                taken: dict[Any, Callable[..., Number]] = {
+                    SPRING: cache(found.spring),
+                    RATE: found.rate,
+                    KERNEL: kernel,
+                }
+                stated = replace(here, known=taken)
+                value, wanted = cache(stated.defined), cache(found.value)
+                for suffix in (suffix for suffix in rows if (suffix in ADHESIVE) == adhesive):
+                    entry = own.entries[suffix]
+                    formula, symbol = entry.cases[0].expr, entry.quantity.symbol
+                    left, right = formula.args if isinstance(formula, sp.Equality) else (formula, symbol)
+                    rows[suffix].append((values, residual(value(_regular(left)), wanted(right))))
+                for place in PLACES:
+                    there = replace(stated, values={**values, nt.t: place * values[nt.a], nt.d: found.depth})
+                    inside.append((there.values, residual(there.defined(EQUATION), there.defined(SPRING(nt.t)))))
     first = next(iter(own.entries))
     equation = own.judge(first, "the equation at radii inside, of those springs", inside, digits=DIGITS, lost=LOST)
     return [
@@ -66,23 +73,28 @@ def check_profile(own: Comparison) -> list[Evidence]:
     ]
 
 
-def _contact(own: Comparison, drawn: Values, base: str, nu: sp.Expr, ratio: sp.Expr) -> tuple[HalfSpace, Layer]:
-    values = {**drawn, nt.nu: nu, thickness: drawn[nt.a] / ratio}
+def _contact(own: Comparison, drawn: Values, nu: sp.Expr, ratio: sp.Expr) -> HalfSpace:
+    """What adhesion takes of the depth is of the size of the depth without it."""
+    a, values = drawn[nt.a], {**drawn, nt.nu: nu, thickness: drawn[nt.a] / ratio}
     here = HalfSpace(own.profile, values, DIGITS, graded=False)
-    return here, layer(here, base)
+    if not own.profile.compact:
+        return here
+    pulled = PULLED * sp.Rational(str(mp.nstr(here.depth(here.at(nt.a)), DIGITS)))
+    return replace(here, values={**values, nt.dgamma: drawn[nt.E_star] * pulled**2 / a})
 
 
 def _expanded(own: Comparison) -> Iterator[Evidence]:
     """The expansions where what they leave out is less than the digits that are asked for."""
     base, nu, _ = CASES[0]
-    solved = cache(partial(_contact, own, _drawn(own)[0], base, nu))
+    solved = cache(partial(_contact, own, _drawn(own)[0], nu))
     for suffix, entry in own.entries.items():
         if entry.status != "expansion":
             continue
         power = order(entry.definition)
         with mp.workdps(DIGITS + GUARD):
             # a rational number, by which a thickness is exact
-            here, found = solved(sp.Rational(1, int(LEAST ** (-mp.mpf(1) / power))))
+            here = solved(sp.Rational(1, int(LEAST ** (-mp.mpf(1) / power))))
+            found = layer(here, base)
             rows = [(here.values, residual(found.stated(entry), found.value(entry.quantity.symbol)))]
         compared = f"{own.physics.compared} at a = {rows[0][0][nt.a] / rows[0][0][thickness]} thickness"
         yield own.judge(suffix, f"{compared}, which differs by (a/thickness)**{power}", rows, digits=DIGITS, lost=LOST)

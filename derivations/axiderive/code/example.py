@@ -161,8 +161,17 @@ class Example:
     @cached_property
     def layered(self) -> Layer:
         """The contact with a layer, by the displacement of its surface."""
+        return self._layer(adhesive=False)
+
+    @cached_property
+    def pulled(self) -> Layer:
+        """The same with adhesion."""
+        return self._layer(adhesive=True)
+
+    def _layer(self, *, adhesive: bool) -> Layer:
         terms = {nt.N: sp.Integer(len(POLYNOMIAL)), **{coefficient(i): c for i, c in enumerate(POLYNOMIAL, 1)}}
-        return layer(HalfSpace(self.profile, self.known | terms, 2 * SHOWN, graded=False), next(iter(BASES)))
+        here = HalfSpace(self.profile, self.known | terms, 2 * SHOWN, graded=False)
+        return layer(here, next(iter(BASES)), adhesive=adhesive)
 
     def lines(self, suffix: str) -> list[str]:
         """The doctest of the function behind one entry."""
@@ -209,7 +218,8 @@ class Example:
         symbol = entry.quantity.symbol
         if entry.status in ("equation", "expansion"):
             with mp.workdps(SHOWN + DIGITS):
-                return sp.Float(str(self.layered.stated(entry)), DIGITS)
+                own = self.pulled if nt.dgamma in entry.parameters else self.layered
+                return sp.Float(str(own.stated(entry)), DIGITS)
         if entry.status == "integral" and self.system.medium.graded:
             return self.defined(entry, at)
         if entry.status == "root" and entry.composed:

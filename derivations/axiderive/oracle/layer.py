@@ -58,7 +58,10 @@ def sinking(k: Number, nu: Number, base: str) -> Number:
 
 @dataclass(frozen=True)
 class Layer:
-    """A contact whose springs are pressed in as on the half-space and by a polynomial in (t/a)**2 more."""
+    """A contact whose springs are pressed in as on the half-space and by a polynomial in (t/a)**2 more.
+
+    At the edge the polynomial is what the last spring carries: nothing, or the pull of adhesion.
+    """
 
     here: HalfSpace
     base: str
@@ -94,7 +97,7 @@ class Layer:
         def rate(x: Number) -> Number:
             return mp.polyval([*reversed(slope)], (r**2 + (root * x) ** 2) / self.a**2)
 
-        edge = mp.fsum(self.polynomial) / root if self.here.profile.complete else 0
+        edge = mp.fsum(self.polynomial) / root
         more = edge - root / self.a**2 * mp.quad(rate, [0, 1])
         return self.here.pressure(r, self.a, self._free) + self.here.modulus / mp.pi * more
 
@@ -113,8 +116,11 @@ class Layer:
         return replace(self.here, values={**self.here.values, **sums}).defined(entry.cases[0].expr)
 
 
-def layer(here: HalfSpace, base: str) -> Layer:
-    """The contact, where its radius is no more than a few times the thickness, to about the digits of `here`."""
+def layer(here: HalfSpace, base: str, *, adhesive: bool = False) -> Layer:
+    """The contact, where its radius is no more than a few times the thickness, to about the digits of `here`.
+
+    With adhesion the energy that the edge releases, E_star q(a)**2 for a unit of radius, is that of its separation.
+    """
     a, h, nu = (here.at(symbol) for symbol in (nt.a, thickness, nt.nu))
     count = int(here.digits * (0.4 + 0.3 * float(a / h))) + 4
     wide = max(1, int(mp.ceil(a / h)))
@@ -137,6 +143,7 @@ def layer(here: HalfSpace, base: str) -> Layer:
             system[i, count], system[count, i] = -1, 1
     if here.profile.compact:
         system[count, count] = 0
+        given[count] = -mp.sqrt(2 * mp.pi * a * here.at(nt.dgamma) / here.modulus) if adhesive else 0
     *polynomial, less = mp.lu_solve(system, given)
     depth = here.depth(a) + less if here.profile.compact else here.at(nt.d)
     return Layer(here, base, a, depth, tuple(polynomial))

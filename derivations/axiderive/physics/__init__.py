@@ -119,6 +119,8 @@ class Physics:
     """Whether it loads the surface along itself too, and takes the modulus of the medium for that."""
     material: tuple[sp.Symbol, ...] = ()
     """What it takes beside the moduli of the medium."""
+    choices: Mapping[str, tuple[str, tuple[str, ...]]] = field(default_factory=dict)
+    """What its functions take that is no number: what that says, and the words for it, of which the first is meant."""
     tension: bool = False
     """Whether the contact holds under tension: depth and force may be negative, down to a pull-off."""
     laws: tuple[Law, ...] = ()

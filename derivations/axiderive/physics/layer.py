@@ -5,7 +5,8 @@ is, the contact is one Fredholm equation of the second kind for what each spring
 
     q(t) = d - g(t) + int_0^a K(t, s) q(s) ds,     K(t, s) = wave(t + s) + wave(t - s),
 
-with wave(x) = 1/(pi h) int_0^oo (1 - L(u)) cos(u x/h) du.  The depth g without the layer goes in as it is.
+with wave(x) = 1/(pi h) int_0^oo (1 - L(u)) cos(u x/h) du.  The depth g without the layer goes in as it is.  The last
+spring carries nothing; adhesion draws it out by the retraction of the half-space, since the layer adds no singularity.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ from functools import cache
 import sympy as sp
 
 from ..entry import COMPACT, COMPLETE, Case, Entry, Quantity
-from ..notation import LENGTH, NUMBER, Dimension, E_star, F, a, d, define, nu, r, s, t, u
+from ..notation import LENGTH, NUMBER, Dimension, E_star, F, a, d, define, dgamma, nu, p, r, s, t, u
 from ..profiles.profile import Profile
 from . import DEPTH, FORCE, Physics, Wording, normal
 from .medium import HOMOGENEOUS, Medium
@@ -50,8 +51,20 @@ EXPANDED = {
     )
 }  # fmt: skip
 """At a contact radius."""
+ADHESIVE = {
+    q.suffix: q
+    for q in (
+        Quantity("dadh", "adhesive_depth", "Indentation depth with adhesion", d, (a,),
+                 summary="Indentation depth at contact radius a with short-ranged adhesion (JKR)."),
+        Quantity("Fadh", "adhesive_force", "Normal force with adhesion", F, (a,),
+                 summary="Normal force at contact radius a with short-ranged adhesion (JKR)."),
+        Quantity("padh", "adhesive_pressure", "Pressure with adhesion", p, (r, a), written="p(r)", place="inside",
+                 summary="Contact pressure with short-ranged adhesion (JKR); infinite at the edge, zero outside."),
+    )
+}  # fmt: skip
+"""At a contact radius, stable or not, where the last spring is drawn out by the retraction of the half-space."""
 PUNCH = {suffix: COMPLETE[suffix] for suffix in ("F", "p", "dF")}
-CURVED = {suffix: COMPACT[suffix] for suffix in ("d", "F", "p", "ad", "aF", "Fd", "dF")} | EXPANDED
+CURVED = {suffix: COMPACT[suffix] for suffix in ("d", "F", "p", "ad", "aF", "Fd", "dF")} | EXPANDED | ADHESIVE
 
 
 @cache
@@ -114,7 +127,7 @@ def _expansions(profile: Profile) -> dict[str, sp.Expr]:
     return found | {"d2": depth.subs({short: DEPTH(a) * sp.factor(moment), F: force})}
 
 
-def _letters(profile: Profile, definition: sp.Expr) -> str:
+def _letters(profile: Profile, definition: sp.Expr, *, adhesive: bool) -> str:
     """What the letters of a definition stand for, in text."""
     sinks = {L: sp.Function("L")(u)}
     if not definition.has(SPRING):
@@ -122,9 +135,10 @@ def _letters(profile: Profile, definition: sp.Expr) -> str:
         return (
             f"g and F are those of the half-space, {', '.join(sums)}, L how far a wave moves a layer, over a half-space"
         )
-    ends = "beyond t = a" if profile.complete else "at t = a"
+    ends = f"-{sp.sstr(HOMOGENEOUS.retraction())} at t = a" if adhesive else "zero at t = a"
+    ends = "zero beyond t = a" if profile.complete else ends
     kernel = f"K(t, s) = {sp.sstr(SUMMED.subs(sinks))}, L how far a wave moves a layer, over a half-space"
-    return f"the springs below the surface are pressed in by q(t) = {sp.sstr(EQUATION)}, zero {ends}; {kernel}"
+    return f"the springs below the surface are pressed in by q(t) = {sp.sstr(EQUATION)}, {ends}; {kernel}"
 
 
 def refusal(profile: Profile, medium: Medium = HOMOGENEOUS) -> str:
@@ -138,12 +152,13 @@ def definitions(profile: Profile, medium: Medium = HOMOGENEOUS) -> dict[str, sp.
     """By the springs, of a contact that grows and of a flat punch; then where the layer is thick."""
     carried = 2 * E_star * sp.Integral(SPRING(t), (t, 0, a))
     rate = sp.Integral(sp.Derivative(SPRING(t), t) / sp.sqrt(t**2 - r**2), (t, r, a))
+    ending = E_star / sp.pi * (SPRING(a) / sp.sqrt(a**2 - r**2) - rate)
     if profile.complete:
-        pressure = E_star / sp.pi * (SPRING(a) / sp.sqrt(a**2 - r**2) - rate)
-        return {"F": carried, "p": pressure, "dF": sp.Eq(carried, F)}
+        return {"F": carried, "p": ending, "dF": sp.Eq(carried, F)}
     depth = DEPTH(a) - sp.Integral(KERNEL(a, t) * SPRING(t), (t, 0, a))
     given = {"ad": sp.Eq(depth, d), "aF": sp.Eq(carried, F), "Fd": carried, "dF": depth}
-    return {"d": depth, "F": carried, "p": -E_star / sp.pi * rate, **given, **_expansions(profile)}
+    pulled = {"dadh": depth - medium.retraction(), "Fadh": carried, "padh": ending}
+    return {"d": depth, "F": carried, "p": -E_star / sp.pi * rate, **given, **_expansions(profile), **pulled}
 
 
 def derive(
@@ -162,6 +177,7 @@ def derive(
     for suffix, definition in definitions(profile, medium).items():
         quantity = quantities[suffix]
         material = (E_star, nu, thickness) if quantity.elastic else (nu, thickness)
+        material = PHYSICS.parameters(medium) if suffix in ADHESIVE else material
         found[suffix] = Entry(
             key=medium.key(profile.name, medium.group, GROUP, suffix),
             profile=profile,
@@ -170,7 +186,7 @@ def derive(
             cases=(Case(((r, a) if quantity.place else (a,)), definition),),
             definition=definition,
             parameters=(*profile.parameters, *material),
-            note=_letters(profile, definition),
+            note=_letters(profile, definition, adhesive=suffix in ADHESIVE),
         )
     return found
 
@@ -189,14 +205,16 @@ PHYSICS = Physics(
     group=GROUP,
     over=normal.PHYSICS,
     refusal=refusal,
-    material=(nu, thickness),
+    material=(nu, thickness, dgamma),
+    choices={"base": ("how the layer lies on what is below it", tuple(BASES))},
     contact="on a layer",
-    runtime=("physics.layer",),
+    runtime=("physics.layer", "physics.adhesion"),
     quantities={"layer": CURVED, "layer below a punch": PUNCH},
     assumed="the indenter and the base are rigid, E_star = E/(1 - nu^2) is that of the layer",
     definitions=definitions,
     compared="collocation of the displacement of the surface",
     proofs=lambda *_: {},
-    shown={nu: "3/10", thickness: "2"},
+    shown={nu: "3/10", thickness: "2", dgamma: "1/100"},
+    wanted=("depth", "force", "pressure"),
     printed=False,
 )

@@ -13,6 +13,7 @@ import sympy as sp
 from .. import notation as nt
 from ..code import plane as strips
 from ..exits import USAGE, CommandError
+from ..physics import layer
 from . import evidence, interface
 from .contact import Contact
 from .evidence import Run, measured, test_text
@@ -88,6 +89,12 @@ class _Composition:
         # all that a viscoelastic contact has is an inverse of the elastic one
         kind, inverses = self.request.kind, set(self.request.quantities)
         wanted = sorted(inverses if kind.law else inverses & interface.INVERSES)
+        if self.answer and self.answer.bounded and wanted and kind.physics is layer.PHYSICS:
+            message = (
+                f"{', '.join(wanted)}: the expression is that of a contact up to some radius, "
+                "which no function on a layer knows; leave these functions out"
+            )
+            raise CommandError(message, USAGE)
         if self.answer and self.answer.bounded and free and wanted and (kind.law or not kind.physics.over):
             message = (
                 f"{', '.join(wanted)}: how far the contact is compact depends on {', '.join(free)}; "
@@ -136,7 +143,11 @@ class _Composition:
         texts = [module.order(self.profile, interface.between(self.profile, kind), kind, request.values)]
         wanted = [self._wanted(modules, quantity, texts) for quantity in request.quantities]
         modules[OWN] = Module(OWN, "\n\n".join(texts))
-        constants = {name: (value, self._comment(name)) for name, value in request.frozen.items()}
+        constants: dict[str, tuple[float | str, str]] = {
+            name: (value, self._comment(name)) for name, value in request.frozen.items()
+        }
+        meanings = kind.physics.choices
+        constants |= {name: (word, meanings[name][0]) for name, word in request.choices.items()}
         domains = {p: interface.interval(interface.record(p, self.profile)) for p in request.free}
         fields = {name for one in wanted for name in one.fields}
         units = {name: interface.unit(name, self.profile) for name in {*fields, *request.free}}
@@ -161,7 +172,12 @@ class _Composition:
             # the shape is that of any medium
             key = OF_RUNTIME.get(kind.name, {}).get(quantity, f"normal.{name}:_{quantity}")
         fields, needs = interface.arguments(function, self.entries), definition(modules, key).parameters
-        if not fields or function.leaning:
+        if nt.t_h.name in fields:
+            if module.TEMPLATES["hold"] not in texts:
+                texts.append(module.TEMPLATES["hold"])
+            texts.append(module.held(modules, key, quantity))
+            key = f"{OWN}:{quantity}"
+        elif not fields or function.leaning:
             write = module.leaning(key, quantity) if fields else module.number(modules, key, quantity, array=array)
             texts.append(write)
             key = f"{OWN}:{quantity}"

@@ -21,6 +21,7 @@ from ..letters import name_of
 from ..oracle.definitions import greatest
 from ..oracle.half_space import HalfSpace
 from ..oracle.shape import shape
+from ..physics.layer import thickness
 from ..profiles.profile import Profile
 from . import interface
 
@@ -30,6 +31,7 @@ if TYPE_CHECKING:
 DIGITS = 20
 STICK = 0.6
 """Radius of the stick zone over the contact radius, or its place between a flat face and it."""
+LAYER = name_of(thickness)
 NEEDLE = 1e-3
 """A contact radius under a profile without lengths, in m."""
 MATERIAL = {"E_star": 1.0e6, "dgamma": 0.05, "G_star": 8.0e5, "mu": 0.3, "H": 1.0e6, "k": 0.25, "H_x": 8.0e5,
@@ -47,11 +49,14 @@ def values_of(profile: Profile, request: Scene) -> tuple[dict[str, float], float
     physics = request.kind.physics
     shown = {name_of(symbol): float(sp.Rational(text)) for symbol, text in physics.shown.items()}
     drawn = shown | MATERIAL
-    if physics.solved:
-        # so that the length that is solved for is of the size of the contact: shown for the modulus 1 and lengths of 1
+    units = {name_of(symbol): nt.describe(symbol).unit for symbol in physics.material}
+    if physics.solved or "m" in units.values():
+        # shown for the modulus 1 and lengths of 1: lengths, also one that is solved for, are of the size of the contact
         modulus, length = request.values.get("E_star", MATERIAL["E_star"]), _size(profile, own)
-        units = {name: nt.describe(name).unit for name in shown}
-        drawn |= {n: shown[n] * modulus * (length if units[n] == nt.describe("dgamma").unit else 1.0) for n in shown}
+        scales = {"m": length}
+        if physics.solved:
+            scales |= {"Pa": modulus, nt.describe("dgamma").unit: modulus * length}
+        drawn |= {name: shown[name] * scales[unit] for name, unit in units.items() if unit in scales}
     material = {n: request.values.get(n, drawn[n]) for n in request.kind.material}
     if request.own is None:
         return own | material, np.inf
@@ -72,7 +77,9 @@ def _drawn(profile: Profile, values: Mapping[str, float]) -> dict[str, float]:
     sketched, names = {p: float(v) for p, v in profile.sketch.values}, interface.parameters(profile)
     drawn = {name: sketched.get(p, 1.0) for name, p in names.items()}
     long = [name for name, p in names.items() if p in lengths([p])]
-    scales = [abs(values[name] / drawn[name]) for name in long if name in values] or [1.0]
+    # below a body that leaves its lengths free, that of a layer
+    around = values.get(LAYER, 2.0) / 2.0
+    scales = [abs(values[name] / drawn[name]) for name in long if name in values] or [around]
     first = None
     for scale in (*scales, *(min(scales) * 10.0**-i for i in range(1, 7))):
         known = {n: values.get(n, drawn[n] * (scale if n in long else 1.0)) for n in names}
@@ -139,7 +146,7 @@ class Contact:
             inner = [] if self.profile.truncated else [0.6 * breaks[0]]
             found = [*inner, 1.4 * breaks[-1]]
             return [x for x in found if x < self.reach] or [breaks[-1] + 0.5 * (self.reach - breaks[-1])]
-        top = min(_size(self.profile, self.all), 0.8 * self.end())
+        top = min(_size(self.profile, self.all), 0.8 * self.end(), self.all.get(LAYER, np.inf))
         return [0.4 * top, top]
 
     def end(self) -> float:

@@ -129,7 +129,7 @@ def record(request: Scene, profile: Profile, answer: Answer | None, run: Run) ->
     found["pieces"] = [
         {"below": None if p.upper is None else sp.sstr(p.upper), "f": sp.sstr(p.expr)} for p in profile.pieces
     ]
-    found["frozen"] = {name: repr(value) for name, value in request.frozen.items()}
+    found["frozen"] = {name: str(value) for name, value in (request.frozen | request.choices).items()}
     if answer is not None:
         found["validity"] = answer.validity.sentence
         found["entries"] = {

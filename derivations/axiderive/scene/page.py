@@ -17,11 +17,13 @@ from ..code import plane as strips
 from ..entry import Entry
 from ..exits import CommandError
 from ..physics import general
+from ..physics.layer import PHYSICS as LAYER
 from ..physics.systems import Problem
 from ..print.formula import Printer
 from ..print.words import prose
 from ..profiles.pools import ROUND
 from ..profiles.profile import Profile
+from ..rows import layer as layer_rows
 from ..rows.laws import laws
 from ..rows.laws import rows as law_rows
 from ..rows.ranges import chain_of, condition, regions
@@ -68,6 +70,7 @@ def page_sources(
     texts = {path: body, "preamble.tex": preamble}
     material = (interface.record(name).name for name in request.kind.material)
     names = {*(p.name for p in profile.parameters if nt.known(p.name)), *material}
+    names |= layer_rows.LETTERS if request.kind.physics is LAYER else set()
     here = {interface.record(name, profile).latex: f"; here {_number(v)}" for name, v in request.values.items()}
     panel = PANEL if request.kind.system.pool is ROUND else ()
     meant, used = _meant(request, profile), names | symbols(entries, panel)
@@ -95,13 +98,17 @@ def _meant(request: Scene, profile: Profile) -> dict[str, str]:
 
 
 def _law(request: Scene) -> str:
-    """The material law of a viscoelastic contact, which the page of the profile names only."""
+    """What the page of the profile names only: the material law of a viscoelastic contact, the equation of a layer."""
     law = request.kind.law
-    if law is None:
+    if law:
+        own = next(row for row in laws() if row.suffix == law.suffix)
+        title, lines = own.name, [rf"\par\vspace{{2mm}}\(\displaystyle {line}\)" for line in own.functions().values()]
+    elif request.kind.physics is LAYER:
+        title, _, rows = layer_rows.sections()[0]
+        lines = [rf"\par\vspace{{2mm}}{label} {small}{FITTED % tex}" for row in rows for label, small, tex in row]
+    else:
         return ""
-    own = next(row for row in laws() if row.suffix == law.suffix)
-    lines = [rf"\par\vspace{{2mm}}\(\displaystyle {line}\)" for line in own.functions().values()]
-    return "\n".join([rf"\par\vspace{{3mm}}\textbf{{{own.name}}}", *lines, r"\vspace{4mm}", ""])
+    return "\n".join([rf"\par\vspace{{3mm}}\textbf{{{title}}}", *lines, r"\vspace{4mm}", ""])
 
 
 PRESSURE = r"p(r)=\frac{E^{*}}{\pi}\int_{0}^{\sqrt{a^{2}-r^{2}}}\frac{g'(t)}{t}\,\mathrm{d}u,\quad t=\sqrt{r^{2}+u^{2}}"

@@ -52,6 +52,8 @@ class Scene:
     kind: interface.Kind = interface.NORMAL
     quantities: list[str] = field(default_factory=list)
     values: dict[str, float] = field(default_factory=dict)
+    choices: dict[str, str] = field(default_factory=dict)
+    """Words that its functions take, which are always frozen."""
     folder: str = ""
     module: str = ""
     language: str = "python"
@@ -274,6 +276,7 @@ def _physics(text: SceneText, scene: Scene) -> None:
     system = (on(physics, GRADED) if graded else None) or on(physics, HOMOGENEOUS)
     assert system is not None
     scene.kind = interface.Kind(system, model or next(iter(physics.laws), None))
+    scene.choices = {key: words[0] for key, (_, words) in physics.choices.items()}
     if scene.profile is not None and len(chosen) < 2:
         reason = _refusal(kind, scene.profile, graded=graded, own=scene.own is not None)
         if reason:
@@ -334,8 +337,14 @@ def _table(text: SceneText, scene: Scene, name: str, raw: Any) -> None:
             text.problem("physics", name, message)
         elif key in names:
             frozen(text, scene.values, "physics", key, value, inside=name)
+        elif key in physics.choices:
+            meaning, words = physics.choices[key]
+            scene.choices[key] = value
+            if value not in words:
+                message = f"{key} = {value!r:.40} must be {' or '.join(map(repr, words))}: {meaning}"
+                text.problem("physics", name, message)
         else:
-            text.problem("physics", name, f"unknown key {key[:40]!r} of {name}{near(key, names)}")
+            text.problem("physics", name, f"unknown key {key[:40]!r} of {name}{near(key, [*names, *physics.choices])}")
 
 
 def _model(text: SceneText, raw: Any) -> Law | None:
@@ -371,7 +380,12 @@ def _want(text: SceneText, scene: Scene) -> None:
     if scene.kind.law and scene.profile and not interface.ramps(scene.profile):
         own = interface.functions(scene.kind, contact)
         known = [name for name in known if nt.v.name not in own[name].fields]
-    default = [name for name in scene.kind.physics.wanted if name in known]
+    physics, medium = scene.kind.physics, scene.kind.system.medium
+    if scene.profile and physics.definitions and not scene.kind.system.refusal(scene.profile):
+        stated = physics.definitions(scene.profile, medium)
+        lacking = {own.function for suffix, own in physics.table(scene.profile).items() if suffix not in stated}
+        known = [name for name in known if name not in lacking]
+    default = [name for name in physics.wanted if name in known]
     # a complete contact has its own names; those that say how far it is complete come with them
     default += [name for name in OF_COMPLETE if name in known and contact != "compact"]
     default.sort(key=known.index)
@@ -394,7 +408,7 @@ def _unknown(scene: Scene, name: str, contact: str, known: Collection[str]) -> s
     compact = contact == "compact" and scene.kind.system.pool is ROUND and not scene.kind.law
     for other in interface.KINDS.values() if compact else ():
         above = other.system.base and other.graded == scene.kind.graded and not other.law
-        if above and name in _available(other, contact):
+        if above and other != scene.kind and name in _available(other, contact):
             kind = other.physics.name
             return f"{name} is a function of {kind} contact; write [physics] {kind} = true"
     meant = SYMBOLS.get(name, "")
@@ -419,6 +433,11 @@ def _example(text: SceneText, scene: Scene, raw: object) -> None:
         return
     if scene.kind.graded or scene.kind.law or scene.kind.system.pool is not ROUND or not profile.compact:
         message = "a worked example is given for a compact contact on a homogeneous half-space; leave at out"
+        text.problem("want", "at", message)
+        return
+    physics = scene.kind.physics
+    if physics.over and nt.d.name in physics.table(profile) and not physics.tension:
+        message = f"a worked example is not given for contact {physics.contact}; leave at out"
         text.problem("want", "at", message)
         return
     free = scene.free

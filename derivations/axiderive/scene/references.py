@@ -26,12 +26,14 @@ from ..oracle.integrals import GUARD, under_load
 from ..oracle.plane import GUARD as STRIPS
 from ..oracle.plane import defined, strip
 from ..oracle.shape import number
+from ..physics import layer
 from ..physics.consequences import CONSEQUENCES
 from ..profiles.loads import Load
 from . import interface
 from .contact import DIGITS, Contact, short
 from .fields import Below
 from .interface import Function
+from .layered import Layered
 from .relaxing import Relaxing
 
 Rows = list[tuple[tuple[float, ...], Any]]
@@ -115,6 +117,8 @@ def _rules(contact: Contact) -> Callable[[Function], Rows]:
     if isinstance(contact.profile, Load):
         load = contact.profile
         return lambda function: _sunk(contact, load)
+    if kind.physics is layer.PHYSICS:
+        return Layered(contact).rows
     edged = Edged(contact)
     if kind.law:
         return lambda function: _relaxing(contact, edged, function)

@@ -13,7 +13,7 @@ from ...entry import Entry
 from ...letters import name_of
 from ...oracle.layer import Layer, layer
 from ...physics import DEPTH, FORCE
-from ...physics.layer import BASES, MOMENTS, order, thickness
+from ...physics.layer import BASES, MOMENTS, PHYSICS, order, thickness
 from .. import docstring
 from ..example import DIGITS, Example
 from ..function import Function
@@ -67,19 +67,19 @@ def _stiffest(example: Example) -> Layer:
 
 
 def _base() -> list[str]:
-    choice = ", ".join(f'"{own}"' for own in BASES)
-    return [f"base : {{{choice}}}", "    How the layer lies on what is below it."]
+    meaning, words = PHYSICS.choices["base"]
+    choice = ", ".join(f'"{own}"' for own in words)
+    return [f"base : {{{choice}}}", f"    {docstring.capital(meaning)}."]
 
 
 def rules(writer: Writer) -> None:
     """Adds what the layer changes of one contact, and what follows from that."""
-    geometry, layer = writer.geometry, ["nu", "thickness", "base"]
+    geometry = writer.geometry
     lines = _punch(writer) if writer.profile.complete else _curved(writer)
     for entry in writer.entries.values():
-        quantity = entry.quantity
-        elastic = ["E_star"] if quantity.elastic else []
-        fields = list(map(name_of, entry.arguments))
-        writer.rule(f"_{quantity.function}", fields, [*geometry, *elastic, *layer], lines[quantity.function])
+        function, fields = entry.quantity.function, list(map(name_of, entry.arguments))
+        names = [name_of(symbol) for symbol in entry.parameters if symbol not in writer.profile.parameters]
+        writer.rule(f"_{function}", fields, [*geometry, *names, "base"], lines[function])
 
 
 def _contact(writer: Writer, geometry: list[str], shape: str) -> None:
@@ -92,9 +92,9 @@ def _punch(writer: Writer) -> dict[str, list[str]]:
     _contact(writer, [], "")
     state, half = "found = _contact(a, nu, thickness, base)", writer.call("_pressure")
     return {
-        "force": [state, 'return E_star * d * found.of("stiffness")'],
-        "pressure": [state, f'return {half} * found.of("edge") + E_star * d * found.pressure(r)'],
-        "depth_from_force": [state, 'return F / (E_star * found.of("stiffness"))'],
+        "force": [state, 'return E_star * d * number_of(found, "stiffness")'],
+        "pressure": [state, f'return {half} * number_of(found, "edge") + E_star * d * added_pressure(found, r)'],
+        "depth_from_force": [state, 'return F / (E_star * number_of(found, "stiffness"))'],
     }
 
 
@@ -111,10 +111,14 @@ def _curved(writer: Writer) -> dict[str, list[str]]:
     end = "np.inf" if last is None else python(last)
 
     d, force = name_of(nt.d), name_of(nt.F)
-    growth = 'E_star * found.of("stiffness") * found.of("rate")'
+    growth = 'E_star * number_of(found, "stiffness") * number_of(found, "rate")'
     curves = {
-        "radius_from_depth": (d, f'{writer.call("_depth", "t")} - found.of("less")', 'found.of("rate")'),
-        "radius_from_force": (force, f'{writer.call("_force", "t")} + E_star * found.of("more")', growth),
+        "radius_from_depth": (
+            d,
+            f'{writer.call("_depth", "t")} - number_of(found, "less")',
+            'number_of(found, "rate")',
+        ),
+        "radius_from_force": (force, f'{writer.call("_force", "t")} + E_star * number_of(found, "more")', growth),
     }
     searched = {
         name: [
@@ -133,13 +137,23 @@ def _curved(writer: Writer) -> dict[str, list[str]]:
         if entry.status == "expansion"
     }
     elastic = ", ".join([*writer.geometry, "E_star", "nu", "thickness", "base"])
+    moved = "retraction_on_layer(a, E_star, nu, thickness, dgamma, base)"
+    punch, drawn = "punch = below_punch(a, thickness, nu, base)", f"drawn = E_star * {moved}"
     by_depth, by_force = f"_radius_from_depth({', '.join([d, *own])})", f"_radius_from_force({force}, {elastic})"
     return {
-        "depth": [state, f'return {writer.call("_depth")} - found.of("less")'],
-        "force": [state, f'return {writer.call("_force")} + E_star * found.of("more")'],
-        "pressure": [state, f"return {writer.call('_pressure')} + E_star * found.pressure(r)"],
+        "depth": [state, f'return {writer.call("_depth")} - number_of(found, "less")'],
+        "force": [state, f'return {writer.call("_force")} + E_star * number_of(found, "more")'],
+        "pressure": [state, f"return {writer.call('_pressure')} + E_star * added_pressure(found, r)"],
         **searched,
         **opened,
+        "adhesive_depth": [f"return _depth({', '.join(['a', *own])}) - {moved}"],
+        "adhesive_force": [punch, drawn, f'return _force(a, {elastic}) - drawn * number_of(punch, "stiffness")'],
+        "adhesive_pressure": [
+            punch,
+            drawn,
+            "pulled = tension(r, a, E_star, dgamma) + drawn * added_pressure(punch, r)",
+            f"return _pressure(r, a, {elastic}) - pulled",
+        ],
         "force_from_depth": [f"return _force({by_depth}, {elastic})"],
         "depth_from_force": [f"return _depth({by_force}, {', '.join(own)})"],
     }

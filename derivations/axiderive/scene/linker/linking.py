@@ -87,6 +87,13 @@ class Linker:
             _Shortened(functions).visit(node)
         self.names = self._named(names) | SHARED
 
+    @property
+    def decorators(self) -> list[str]:
+        """Functions that stand above others as a mark, and so have to be known before them."""
+        functions = self.program.functions
+        names = (name.id for node in functions.values() for mark in node.decorator_list for name in references(mark))
+        return [*dict.fromkeys(name for name in names if name in functions)]
+
     def _merged(self, wanted: Wanted) -> bool:
         """Whether the private function itself can be the public one: it takes the fields and nothing else."""
         trees = self.program.trees
@@ -205,6 +212,8 @@ def inline(program: Program, frozen: frozenset[str]) -> None:
         callee = program.functions.get(key)
         site = next(_sites(program, key), None)
         if callee is None or key in program.wanted or count > 1 or site is None or site.owner is callee:
+            continue
+        if callee.decorator_list:  # which do more than its lines
             continue
         lines = _lines(callee)
         if lines is None or not _means_the_same(site, callee, frozen):

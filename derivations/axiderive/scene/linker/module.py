@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import json
 import re
 import textwrap
 from collections.abc import Iterable, Mapping, Sequence
@@ -68,7 +69,7 @@ def module_text(
     head: str,
     modules: Mapping[str, Module],
     wanted: Sequence[Wanted],
-    constants: Mapping[str, tuple[float, str]],
+    constants: Mapping[str, tuple[float | str, str]],
     domains: Mapping[str, tuple[str, str, str]],
     units: Mapping[str, str],
 ) -> str:
@@ -90,14 +91,17 @@ def module_text(
         Units of all fields and parameters.
     """
     wanted = sorted(wanted, key=lambda one: not one.fields)
-    frozen, positive = frozenset(constants), frozenset(name for name, (value, _) in constants.items() if value > 0.0)
+    frozen = frozenset(constants)
+    positive = frozenset(k for k, (value, _) in constants.items() if not isinstance(value, str) and value > 0.0)
     linker, fielded = Linker(modules, wanted, frozen, positive), [one for one in wanted if one.elementwise]
     counts = _counts(linker)  # numbers of the trees, which are texts once they are written
     hidden = {*linker.merged, *(one.key for one in wanted if not one.elementwise)}
-    private = [linker.text(key) for key in linker.program.functions if key not in hidden]
+    first = linker.decorators
+    private = [linker.text(key) for key in linker.program.functions if key not in hidden and key not in first]
     constants_of, behind = _constants(linker)
     values, late = ([linker.text(key) for key in keys] for keys in (constants_of, behind))
-    body = "\n\n\n".join([*(_public(linker, one) for one in wanted), *private])
+    above = [linker.text(key) for key in first]
+    body = "\n\n\n".join([*above, *(_public(linker, one) for one in wanted), *private])
     if "_integral(" in body:
         body += f"\n\n\n{TEMPLATES['integral']}"
     if "_NODES[" in body:
@@ -116,7 +120,8 @@ def module_text(
             body = f"{TEMPLATES[parity]}\n\n\n{body}"
     body = f"{_core(fielded)}\n\n\n{body}" if fielded else body
     body = f"{TEMPLATES['bare']}\n\n\n{body}" if given else body
-    shown = [f"{name} = {value!r}  # {comment}" for name, (value, comment) in used.items()]
+    written = {k: json.dumps(value) if isinstance(value, str) else repr(value) for k, (value, _) in used.items()}
+    shown = [f"{name} = {written[name]}  # {comment}" for name, (_, comment) in used.items()]
     parts = [f'"""{head}"""', _imports(body + "\n".join(values)), "\n".join([*shown, *values])]
     body = "\n\n\n".join([body, *(["\n".join(late)] if late else [])])
     return "\n\n".join(part for part in parts if part) + "\n\n\n" + body + "\n"
@@ -215,7 +220,11 @@ def _nodes(module: Module, counts: Sequence[int]) -> str:
 
 
 def _imports(text: str) -> str:
-    functools = [name for name in ("cache", "partial", "reduce", "wraps") if re.search(rf"\b{name}\(|@{name}\b", text)]
+    functools = [
+        name
+        for name in ("cache", "lru_cache", "partial", "reduce", "wraps")
+        if re.search(rf"\b{name}\(|@{name}\b", text)
+    ]
     lines = [f"from functools import {', '.join(functools)}"] if functools else []
     lines = ["from collections import namedtuple", *lines] if "namedtuple(" in text else lines
     lines = [*(["import math"] if re.search(r"\bmath\.", text) else []), *lines]
@@ -298,6 +307,14 @@ def leaning(key: str, name: str) -> str:
     """A field under a load on either side of the middle."""
     module, _, private = key.partition(":")
     return TEMPLATES["leaning"].format(module=module, private=private, name=name)
+
+
+def held(modules: Mapping[str, Module], key: str, name: str) -> str:
+    """A function of a depth that is held, which must not end before it begins."""
+    own = definition(modules, key)
+    return TEMPLATES["held"].format(
+        module=own.module.name, private=own.name, name=name, parameters=", ".join(own.parameters)
+    )
 
 
 def order(profile: Profile, rules: Sequence[Rule], kind: interface.Kind, frozen: Iterable[str]) -> str:

@@ -64,12 +64,17 @@ class _Written(ast.NodeTransformer):
 
     def visit_JoinedStr(self, node: ast.JoinedStr) -> ast.Name:
         """In double quotes."""
-        parts = [
-            "{" + source(part.value) + (f"!{chr(part.conversion)}" if part.conversion > 0 else "") + "}"
-            if isinstance(part, ast.FormattedValue) else json.dumps(ast.literal_eval(part), ensure_ascii=False)[1:-1]
-            for part in node.values
-        ]  # fmt: skip
-        return ast.Name(f'f"{"".join(parts)}"')
+        return ast.Name(f'f"{"".join(map(self._part, node.values))}"')
+
+    def _part(self, part: ast.expr) -> str:
+        """A text, or a value with what says how it is written."""
+        if not isinstance(part, ast.FormattedValue):
+            return json.dumps(ast.literal_eval(part), ensure_ascii=False)[1:-1]
+        shape = f"!{chr(part.conversion)}" if part.conversion > 0 else ""
+        if isinstance(part.format_spec, ast.JoinedStr):
+            shape += ":" + "".join(map(self._part, part.format_spec.values))
+        # before Python 3.12 a text inside has other quotes
+        return "{" + source(self.visit(part.value)).replace('"', "'") + shape + "}"
 
     def visit_Expr(self, node: ast.Expr) -> ast.AST:
         """A line of comment, or a docstring."""
@@ -161,11 +166,11 @@ def documented(doc: str) -> list[str]:
 
 
 def _laid_out(text: str) -> Iterator[str]:
-    """The lines of a body, with a blank one before and behind a function inside it."""
-    inside: list[int] = []
+    """The lines of a body, with a blank one before and behind a function inside it and its marks."""
+    inside, marked = list[int](), False
     for line in filter(None, text.split("\n")):
         indent = len(line) - len(line.lstrip()) + 4
-        apart = line.lstrip().startswith("def ")
+        apart, marked = line.lstrip().startswith(("def ", "@")) and not marked, line.lstrip().startswith("@")
         while inside and indent <= inside[-1]:
             inside.pop()
             apart = True
