@@ -18,7 +18,7 @@ POWERS = ("cone", "paraboloid", "quartic", "sextic", "power_law")
 
 def test_pull_off_of_the_flat_punch() -> None:
     punch = emitted("adhesive.flat_punch")
-    assert list(public(punch)) == ["retraction", "pull_off"]
+    assert list(public(punch)) == ["retraction", "pull_off", "work_of_adhesion_from_pull_off"]
     state = punch.pull_off(a=2.0, E_star=3.0, dgamma=0.5)
     assert state.force == pytest.approx(-math.sqrt(8 * math.pi * 3.0 * 0.5 * 8.0), rel=CLOSED, abs=0.0)
     assert state.depth == pytest.approx(-math.sqrt(2 * math.pi * 2.0 * 0.5 / 3.0), rel=CLOSED, abs=0.0)

@@ -99,3 +99,12 @@ def test_no_value_leaves_its_bounds() -> None:
 def test_a_wrong_rule_is_noticed(name: str, rule: Callable[..., Bound], monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(ranges.RULES, name, rule)
     assert any(outside(nodes := needed(r), bounds(nodes, RANGES), draws(20_000)) for r in results())
+
+
+def test_an_argument_of_either_sign_has_no_bound() -> None:
+    """It may come next to zero: from the ends of its range alone it would be large."""
+    result = trace(lambda load: -load, ("load",), ())
+    assert result is not None
+    (load,) = (node for node in needed(result) if node.name == "argument")
+    assert bounds([load], {"load": (-1e30, 1e30)}) == {load: None}
+    assert bounds([load], {"load": (1e-30, 1e30)})[load] is not None

@@ -19,7 +19,7 @@ from axiderive.book.index import formulas_of, index_record
 from axiderive.build import work
 from axiderive.build.verification import checks_of
 from axiderive.build.work import Settings
-from axiderive.physics import cohesive
+from axiderive.physics import adhesive, cohesive
 from axiderive.physics.systems import BY_NAME, SYSTEMS, Problem, problems
 from axiderive.profiles.pools import BODIES
 from axiderive.stable.measure import closure
@@ -41,6 +41,7 @@ CONCAVE = {"minimum_depth", "minimum_force", "zero_radius"}
 PEAKED = ("quartic", "sextic", "rounded_punch", "power_law")
 ADHESIVE = {
     "retraction", "depth", "force", "pressure", "displacement", "radius_from_depth", "radius_from_force", "pull_off",
+    "work_of_adhesion_from_pull_off",
 }  # fmt: skip
 TANGENTIAL = {"tangential_force", "traction", "tangential_displacement", "stick_radius", "full_slip_displacement"}
 BELOW = {
@@ -53,6 +54,8 @@ FOLLOW = {"load_within", "energy"}
 """Of the homogeneous half-space, as the greatest pressure is."""
 TURNING = {"torque", "slip_angle", "traction", "full_slip_torque"}
 SEARCHED = {"pull_off", "radius_from_depth", "radius_from_force", "without_contact"}
+INVERTED = {"work_of_adhesion_from_pull_off"}
+"""Of adhesive contacts, the inverse of `pull_off`."""
 COHESIVE = {"work_of_separation", "cohesive_radius", "depth", "force", "pressure", "displacement"}
 """Functions of entries of a cohesive zone, behind those that search among their values for a state."""
 POWERS = ("cone", "paraboloid", "quartic", "sextic", "power_law")
@@ -78,7 +81,7 @@ def interface(problem: Problem) -> set[str]:
         peak |= set() if problem.system.medium.graded else FOLLOW
         return (COMPACT if compact else COMPLETE) | peak | (CONCAVE if "concave" in problem.name else set())
     if family == "adhesive":
-        return ADHESIVE if compact else {"retraction", "pull_off"}
+        return ADHESIVE if compact else {"retraction", "pull_off"} | INVERTED
     if family == "tangential":
         return TANGENTIAL
     if family == "viscoelastic":
@@ -144,6 +147,7 @@ def test_modules_have_the_interface_and_nothing_that_no_entry_backs() -> None:
         found = functions(CATALOGUE / problem.module)
         assert found == interface(problem), key
         backed = {row["function"] for row in index()["entries"] if row["problem"] == key}
+        backed |= INVERTED if problem.system.physics is adhesive.PHYSICS else set()
         backed |= SEARCHED if problem.system.physics is cohesive.PHYSICS else set()
         assert found - {"profile", *BELOW} == backed, key
 

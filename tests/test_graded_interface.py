@@ -35,6 +35,7 @@ CONCAVE = {"zero_radius": [], "minimum_depth": [], "minimum_force": []}
 ADHESIVE = {
     "retraction": ["a"], "depth": ["a"], "force": ["a"], "pressure": ["r", "a"], "displacement": ["r", "a"],
     "radius_from_depth": ["d"], "radius_from_force": ["F"], "pull_off": ["control"],
+    "work_of_adhesion_from_pull_off": ["F"],
 }  # fmt: skip
 TANGENTIAL = {
     "tangential_force": ["a", "c"], "traction": ["r", "a", "c"], "tangential_displacement": ["a", "c"],

@@ -18,6 +18,7 @@ from ..oracle.definitions import least
 from ..oracle.half_space import HalfSpace
 from ..oracle.layer import Layer, layer
 from ..oracle.shape import coefficient
+from ..physics.adhesive import FORCE, TENSION, separation, work_of_peeling
 from ..physics.layer import BASES
 from ..physics.systems import System
 from ..physics.viscoelastic import in_radius
@@ -275,17 +276,34 @@ class Example:
             return sp.Float(str(found), 30)
 
     def least_force(self) -> sp.Float:
-        """The least of F(a) up to the drawn radius, to 30 digits: on a grid, then next to its lowest point."""
-        force = _Numeric(self.entries["F"], nt.a, self.known, lambda expr: expr)
+        """The least of F(a)."""
+        return self._least(self.entries["F"], lambda expr: expr)
+
+    def _least(self, entry: Entry, form: Callable[[Any], Any]) -> sp.Float:
+        """The least value up to the drawn radius, to 30 digits: on a grid, then next to its lowest point."""
+        curve = _Numeric(entry, nt.a, self.known, form)
         with mp.workdps(30):
             low = mp.mpf(str(sp.N(self.floor, 30)))
             reach = mp.mpf(str(sp.N(self.known[nt.a], 30))) - low
             # a break itself belongs to no case
             grid = [low + reach * mp.mpf("1e-20"), *(low + reach * i / PLACES for i in range(1, PLACES + 1))]
-            values = [force(x) for x in grid]
+            values = [curve(x) for x in grid]
             best = min(range(len(grid)), key=lambda i: values[i])
             below, above = grid[max(best - 1, 0)], grid[min(best + 1, len(grid) - 1)]
-            return sp.Float(str(min(values[best], least(force, below, above))), 30)
+            return sp.Float(str(min(values[best], least(curve, below, above))), 30)
+
+    def separation(self, name: str) -> list[str]:
+        """The doctest of the work of separation of a pull-off force: its definition, searched for the least value."""
+        entry, medium = self.entries["Fc"], self.system.medium
+        held = [symbol for symbol in entry.parameters if symbol != nt.dgamma]
+        force = rounded(self.number(entry, self.known) if self.profile.complete else self.least_force())
+        if self.profile.complete:
+            work = number(work_of_peeling(self.entries), self.known | {TENSION: -force})
+        else:
+            state = separation(medium).subs(TENSION, -force)
+            work = self._least(self.elastic["F"], lambda expr: state.subs(FORCE, expr))
+        passed = ", ".join([literal(force), *(self.keyword(symbol, self.known) for symbol in held)])
+        return self._shown(f"{name}({passed})", work)
 
 
 def _secant(equation: Callable[[Any], Any], first: Any, second: Any) -> Any:

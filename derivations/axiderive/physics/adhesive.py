@@ -86,6 +86,51 @@ def pull_off_number(medium: Medium) -> dict[str, sp.Expr]:
     return {"force": 3 + medium.k, "depth": 1 - medium.k}
 
 
+FORCE, TENSION = sp.Symbol("F_N", positive=True), sp.Symbol("abs(F)", positive=True)
+"""Force without adhesion at the same radius, and that of pull-off, which is a tension."""
+
+
+def separation(medium: Medium) -> sp.Expr:
+    """The work of separation of a contact of radius a under a tension: F_N + abs(F) is what the retraction takes away.
+
+    For each force that of pull-off is the least over a: a greater work of separation gives every radius a force that is
+    less, so that the first force of all to be reached is the least of all radii.
+    """
+    taken = medium.stiffness() * medium.retraction()
+    return sp.powsimp(dgamma * (FORCE + TENSION) ** 2 / sp.powdenest(sp.expand_power_base(taken**2), force=True))
+
+
+def lasting_share(order: sp.Expr, medium: Medium) -> sp.Expr:
+    """F_N over the tension at pull-off where F_N goes with this power of a: where d log F_N/d log a balances."""
+    xi = pull_off_number(medium)["force"]
+    return xi / (2 * order - xi)
+
+
+def order_of(force: Entry) -> sp.Expr | None:
+    """The exponent of a force that is one power of a; else None."""
+    first, *others = (case.expr for case in force.cases)
+    base, order = first.as_independent(a, as_Add=False)[1].as_base_exp()
+    return None if others or base != a else order
+
+
+def work_from_pull_off(force: Entry, medium: Medium) -> sp.Expr | None:
+    """The work of separation whose pull-off is under that tension, where the force is one power of a; else None."""
+    order = order_of(force)
+    if order is None:
+        return None
+    at = lasting_share(order, medium) * TENSION
+    radius = (at / force.cases[0].expr.subs(a, 1)) ** (1 / order)
+    work = separation(medium).subs(FORCE + TENSION, sp.factor(at + TENSION)).subs(a, radius)
+    return sp.powsimp(sp.powdenest(work, force=True), force=True)
+
+
+def work_of_peeling(entries: Mapping[str, Entry]) -> sp.Expr:
+    """The work of separation at which an edge peels off under a tension."""
+    (case,) = entries["Fc"].cases
+    still = case.expr.subs(dgamma, 0)
+    return sp.factor((TENSION + still) ** 2 * dgamma / sp.expand((case.expr - still) ** 2))
+
+
 def pull_off_rule(profile: Profile, medium: Medium = HOMOGENEOUS) -> bodies.Rule | None:
     """What the exponent of a power law must be for a stable contact to exist; None where none is a parameter.
 

@@ -9,8 +9,9 @@ from ...letters import name_of
 from ...notation import n
 from .. import docstring
 from ..function import Function
+from ..physics import separation
 from ..physics.adhesive import stated
-from ..physics.branches import SAMPLED, own_units, pull_off, radii, returned, search, unknowns
+from ..physics.branches import SAMPLED, WAVES, own_units, pull_off, radii, returned, search, unknowns
 from ..text import python
 from ..writer import Writer
 from .families import family
@@ -31,7 +32,9 @@ ORDERS = {"depth": ("d", "", "(1.0 - k) / 2.0"), "force": ("F", " + 1.0 + k", "(
 
 def interface(writer: Writer) -> None:
     """Adds the public functions of a compact contact."""
-    _Adhesive(writer).interface()
+    own = _Adhesive(writer)
+    own.interface()
+    separation.interface(writer, own.order())
 
 
 def rules(writer: Writer) -> None:
@@ -42,6 +45,7 @@ def rules(writer: Writer) -> None:
         own.power_law(own.power.lengths[0])
     else:
         own.general()
+    separation.rules(writer)
 
 
 class _Adhesive:
@@ -137,16 +141,16 @@ class _Adhesive:
         """Between refined changes of sign of the growth."""
         writer, needs = self.writer, [*self.material, "dgamma"]
         geometry, both = f"({', '.join(self.geometry)})", ", ".join(needs)
-        grid = radii(self.profile, "gaussian_reach(s, k)", "4.0 * wavelength")
+        grid = radii(self.profile, WAVES, graded=True)
         steepness = f"a ** ((1.0 + k) / 2.0) * normal._rate({', '.join(['a', *self.geometry])})"
         level = "least_steepness(control, H, k, dgamma)"
         own, samples, found = search(self.profile, self.geometry, needs, grid, steepness, level)
         writer.rule("_samples", [], own, samples, SAMPLED, returns="Samples", decorator="Kept")
         writer.rule("_branches", [], [*needs, "control"], found, returns="Branches")
-        lines = pull_off(own_units(self.profile, self.geometry, "H"), needs)
+        lines = pull_off(own_units(self.profile, self.geometry, "H", "dgamma"), needs)
         writer.rule("_pull_off_radius", [], [*needs, "control"], lines)
         for quantity, (field, *_) in ORDERS.items():
-            units = own_units(self.profile, self.geometry, "H", field)
+            units = own_units(self.profile, self.geometry, "H", "dgamma", field)
             unknown = unknowns(self.profile, "k", steep=self.family.has("flank", "rim"))
             given = f"{field}, found, lambda a: _{quantity}(a, {both}), slope, pulled, {unknown}"
             lines = [

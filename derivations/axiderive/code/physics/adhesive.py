@@ -23,6 +23,7 @@ from .. import docstring
 from ..function import Function
 from ..text import python
 from ..writer import Writer, ordered
+from . import separation
 from .branches import branch_functions
 
 
@@ -82,12 +83,15 @@ def number(expr: sp.Expr) -> str:
 
 def interface(writer: Writer) -> None:
     """Adds the public functions of a compact contact."""
-    _Adhesive(writer).interface()
+    own = _Adhesive(writer)
+    own.interface()
+    separation.interface(writer, own.order())
 
 
 def rules(writer: Writer) -> None:
     """Adds what they rest on."""
     writer.private += [replace(own, summed=writer.summed) for own in _Adhesive(writer).rules()]
+    separation.rules(writer)
 
 
 def stated(entries: Mapping[str, Entry]) -> list[Entry]:

@@ -23,11 +23,13 @@ from ..function import Function
 from ..text import python
 from ..writer import Writer
 
-LOADS = {"d": "-unit", "F": "-(stress + 2 * unit)"}
-"""The power of two by which a load is multiplied."""
+WAVES = "4.0 * wavelength"
+"""Up to where they are looked at on a graded half-space."""
+LOADS = {"d": "-unit", "F": "-(stress + 2 * unit)", "dgamma": "-(stress + unit)"}
+"""The power of two by which a load, or a work of separation, is multiplied."""
 
 
-def own_units(profile: Profile, geometry: Sequence[str], modulus: str, field: str = "") -> list[str]:
+def own_units(profile: Profile, geometry: Sequence[str], modulus: str, *given: str) -> list[str]:
     """The lines before a search; none where a parameter is neither a length nor a pure number."""
     kinds = {name_of(symbol): _unit(symbol) for symbol in profile.parameters}
     anchor = _anchor(profile, kinds)
@@ -40,8 +42,7 @@ def own_units(profile: Profile, geometry: Sequence[str], modulus: str, field: st
     else:
         lines += [f"stress = exponent_of({modulus})", f"{modulus} = np.ldexp({modulus}, -stress)"]
     lines += [f"{name} = np.ldexp({name}, -unit)" for name in lengths]
-    lines.append("dgamma = np.ldexp(dgamma, -(stress + unit))")
-    return [*lines, f"{field} = np.ldexp({field}, {LOADS[field]})"] if field else lines
+    return [*lines, *(f"{name} = np.ldexp({name}, {LOADS[name]})" for name in given)]
 
 
 def returned(radius: str, lines: Sequence[str]) -> list[str]:
@@ -74,11 +75,11 @@ def branch_functions(module: Writer) -> list[Function]:
     needs = [*geometry, "E_star", "dgamma"]
     profile = module.profile
     reach = "(np.sqrt(4.5 * np.pi * dgamma / E_star) * 2.0 * R) ** (2.0 / 3.0)"
-    grid = radii(profile, "" if profile.largest is None else python(profile.largest), reach)
+    grid = radii(profile, reach)
     steepness = f"np.sqrt(a) * _rate({', '.join(['a', *geometry])})"
     level = "least_steepness(control, E_star, dgamma)"
     own, samples, found = search(profile, geometry, needs, grid, steepness, level)
-    units = own_units(module.profile, geometry, "E_star")
+    units = own_units(module.profile, geometry, "E_star", "dgamma")
     return [
         Function("_rate", ["a"], geometry, _rate(module), "Derivative g'(a) of the depth without adhesion."),
         Function("_samples", [], own, samples, SAMPLED, returns="Samples", decorator="Kept"),
@@ -92,12 +93,18 @@ SAMPLED = "The steepness at radii that separate the minima of the load."
 
 
 def search(
-    profile: Profile, geometry: Sequence[str], needs: Sequence[str], grid: str, steepness: str, level: str
+    profile: Profile,
+    geometry: Sequence[str],
+    needs: Sequence[str],
+    grid: str,
+    steepness: str,
+    level: str,
+    name: str = "_samples",
 ) -> tuple[list[str], list[str], list[str]]:
     """The arguments and the lines of `_samples`, which depend on the geometry alone, and the lines of `_branches`."""
-    own = [name for name in needs if name in geometry or re.search(rf"\b{name}\b", grid)]
+    own = [one for one in needs if one in geometry or re.search(rf"\b{one}\b", grid)]
     end = "a[-1]" if profile.largest is not None or (profile.chain and not profile.breaks) else "np.inf"
-    found = f"return branches(lambda a: {steepness}, _samples({', '.join(own)}), {level})"
+    found = f"return branches(lambda a: {steepness}, {name}({', '.join(own)}), {level})"
     return own, [f"a = {grid}", f"return Samples(a, {steepness}, {end}, {{}})"], [found]
 
 
@@ -114,7 +121,7 @@ def pull_off(units: Sequence[str], needs: Sequence[str]) -> list[str]:
 
 def _inverse(module: Writer, quantity: str, field: str, needs: list[str]) -> Function:
     passed, arguments = ", ".join(needs), ", ".join(["a", *needs])
-    units, unknown = own_units(module.profile, module.geometry, "E_star", field), unknowns(module.profile)
+    units, unknown = own_units(module.profile, module.geometry, "E_star", "dgamma", field), unknowns(module.profile)
     rate = f"_rate({', '.join(['a', *module.geometry])})"
     curves = [
         f"lambda a: _{quantity}({arguments})",
@@ -177,10 +184,10 @@ def root_beyond(profile: Profile) -> str:
     return f"sine_root(a, {python(whole / sine)}, {python(sine.args[0])})"
 
 
-def radii(profile: Profile, largest: str, reach: str) -> str:
+def radii(profile: Profile, reach: str, *, graded: bool = False) -> str:
     """The grid that separates the minima of the load; over waves up to `reach`."""
     if profile.largest is not None:
-        return f"radii_to({largest})"
+        return f"radii_to({'gaussian_reach(s, k)' if graded else python(profile.largest)})"
     if profile.breaks:
         own = dict(profile.abbreviations)
         end = python(own.get(profile.breaks[0], profile.breaks[0]))

@@ -12,6 +12,7 @@ from ..function import Function
 from ..graded.complete import order_of, required_face
 from ..text import python
 from ..writer import Writer, required
+from . import separation
 
 CONTROL = 'control: str = "force"'
 
@@ -44,6 +45,7 @@ def interface(writer: Writer) -> None:
         writer.example.state("Fc"),
     )
     writer.public.append(Function("pull_off", [], [name_of(s) for s in symbols], body, doc, "PullOff", CONTROL))
+    separation.interface(writer)
 
 
 def rules(writer: Writer) -> None:
@@ -52,6 +54,7 @@ def rules(writer: Writer) -> None:
     needs = [name_of(symbol) for symbol in (*writer.profile.parameters, *medium.moduli, dgamma)]
     for name, lines in (_graded(writer) if medium.graded else _homogeneous(writer)).items():
         writer.rule(name, [], needs, lines)
+    separation.rules(writer)
 
 
 def _homogeneous(writer: Writer) -> dict[str, list[str]]:

@@ -46,6 +46,8 @@ class Call:
     """Arguments of the public function that the formula does not need, but whose ranges are asked for."""
     signed: tuple[str, ...]
     """Loads of either sign: neither fields, which are NaN where they are negative, nor parameters that are required."""
+    negative: tuple[str, ...]
+    """Those that the public function takes by place, beside parameters that are checked together and positive."""
     words: tuple[str, ...]
     """Arguments that are no numbers."""
 
@@ -109,7 +111,7 @@ def _folders(path: str) -> Iterator[str]:
 
 def _calls(module: ModuleType, text: str) -> Iterator[Call]:
     """The formulas that the functions of a module evaluate."""
-    for _, calls in _functions(text):
+    for own, calls in _functions(text):
         reaching = [call.args for name, call in calls if name == REACH]
         orders = tuple((ast.unparse(least), ast.unparse(radius)) for radius, least, *_ in reaching)
         required = {k.arg for name, call in calls if name == REQUIRE for k in call.keywords}
@@ -124,7 +126,9 @@ def _calls(module: ModuleType, text: str) -> Iterator[Call]:
                 unused = tuple(part.id for part in apart if isinstance(part, ast.Name))
                 fields = _arguments(formula)[: len(call.args) - 1]
                 signed = () if fields else tuple(name for name in keywords if name not in required)
-                yield Call(formula, fields, keywords, orders, unused, signed, words)
+                placed = own.args.args if own.args.kwonlyargs else []
+                negative = tuple(one.arg for one in placed if one.arg in signed)
+                yield Call(formula, fields, keywords, orders, unused, signed, negative, words)
 
 
 @lru_cache(maxsize=1024)
@@ -214,6 +218,7 @@ class _Module:
         words = calls[0].words
         ranges = {own: self._range(own) for own in (*arguments, *unused) if own not in words}
         if result is not None:
+            ranges |= dict.fromkeys((name for call in calls for name in call.negative), (-LARGE, LARGE))
             lines = Lines(result, ranges, self.rules).text()
         elif self.twins.add(calls[0].formula):
             self.bodies.add(name)

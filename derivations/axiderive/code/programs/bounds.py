@@ -29,7 +29,7 @@ Rule = Callable[..., "Bound | None"]
 
 
 def bounds(nodes: list[Node], ranges: Mapping[str, tuple[float, float]]) -> dict[Node, Bound | None]:
-    """The bound of every node, None where there is none; `ranges` of the arguments are positive."""
+    """The bound of every node, None where there is none, as for an argument whose range has zero inside."""
     found: dict[Node, Bound | None] = {}
     for node in nodes:
         found[node] = bound = _bound(node, found, ranges)
@@ -45,7 +45,7 @@ def _bound(node: Node, found: Mapping[Node, Bound | None], ranges: Mapping[str, 
         return _number(float(node.value or 0.0))
     if node.name == "argument":
         low, high = ranges[str(node.value)]
-        return Bound(math.frexp(low)[1] - 1, math.frexp(high)[1])
+        return Bound(math.frexp(low)[1] - 1, math.frexp(high)[1]) if low > 0.0 else None
     if node.name == "power":
         return _power(found[node.operands[0]], node.operands[1])
     known = [found[x] for x in node.operands if not x.logical]
