@@ -11,7 +11,7 @@ from .. import docstring
 from ..function import Function
 from ..physics import separation
 from ..physics.adhesive import stated
-from ..physics.branches import SAMPLED, WAVES, own_units, pull_off, radii, returned, search, unknowns
+from ..physics.branches import SAMPLED, own_units, pull_off, radii, returned, search, unknowns
 from ..text import python
 from ..writer import Writer
 from .families import family
@@ -28,6 +28,8 @@ ORDER = [
 ]
 ORDERS = {"depth": ("d", "", "(1.0 - k) / 2.0"), "force": ("F", " + 1.0 + k", "(3.0 + k) / 2.0")}
 """Field, what the exponent of the load gains on that of the profile, and the exponent of the pull."""
+REACH = '(2.0 * (1.0 + k) * R * least_steepness("force", H, k, dgamma)) ** (2.0 / (3.0 + k))'
+"""Up to where waves are looked at: the load of a paraboloid grows four times as steeply there as at pull-off."""
 
 
 def interface(writer: Writer) -> None:
@@ -141,7 +143,7 @@ class _Adhesive:
         """Between refined changes of sign of the growth."""
         writer, needs = self.writer, [*self.material, "dgamma"]
         geometry, both = f"({', '.join(self.geometry)})", ", ".join(needs)
-        grid = radii(self.profile, WAVES, graded=True)
+        grid = radii(self.profile, REACH, graded=True)
         steepness = f"a ** ((1.0 + k) / 2.0) * normal._rate({', '.join(['a', *self.geometry])})"
         level = "least_steepness(control, H, k, dgamma)"
         own, samples, found = search(self.profile, self.geometry, needs, grid, steepness, level)

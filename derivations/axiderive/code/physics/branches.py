@@ -23,8 +23,6 @@ from ..function import Function
 from ..text import python
 from ..writer import Writer
 
-WAVES = "4.0 * wavelength"
-"""Up to where they are looked at on a graded half-space."""
 LOADS = {"d": "-unit", "F": "-(stress + 2 * unit)", "dgamma": "-(stress + unit)"}
 """The power of two by which a load, or a work of separation, is multiplied."""
 

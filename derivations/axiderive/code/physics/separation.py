@@ -19,12 +19,16 @@ from ..function import Function
 from ..graded.complete import required_face
 from ..text import python
 from ..writer import Writer
-from .branches import WAVES, own_units, radii, search
+from .branches import own_units, radii, search
 
 NAME, FIELD = "work_of_adhesion_from_pull_off", name_of(F)
 PULL = sp.Symbol("pull", positive=True)
-REACH = {False: "(12.0 * R * pull / E_star) ** (1.0 / 3.0)", True: WAVES}
-"""Up to where waves are looked at, on a homogeneous and on a graded half-space."""
+REACH = {
+    False: "(12.0 * R * pull / E_star) ** (1.0 / 3.0)",
+    True: "(8.0 * (1.0 + k) * (3.0 + k) * R * pull / punch_stiffness(1.0, H, k)) ** (1.0 / (3.0 + k))",
+}
+"""Up to where waves are looked at, on a homogeneous and on a graded half-space: a paraboloid bears sixteen times the
+tension there."""
 TENSION = "pull = np.where(F < 0.0, -F, np.nan)"
 SAMPLED = "The force that can be held, over the modulus, at radii that separate the minima of the work of separation."
 SIGNS = "0 without a force, NaN under pressure, which breaks no contact, and where no stable contact bears the tension"
