@@ -89,7 +89,7 @@ NEAR, WIDE = 1e-12, 1e12
 
 def ordinary(*given: float) -> bool:
     """Whether arguments leave the range nowhere: where a body over plain numbers has no value, there is none."""
-    return all([NEAR < abs(own) < WIDE for own in given])
+    return all([NEAR < abs(own) < WIDE or own == 0.0 for own in given])
 
 
 def largest(block: Array) -> float:

@@ -49,7 +49,8 @@ def inverse(
     low, high = np.full_like(position, -np.inf), np.full_like(position, np.log(largest))
     step = error / slope
     close = ROUNDING * value if noise is None else noise
-    solvable = (value > 0.0) & (value < np.inf) & (y == y)
+    known = y == y
+    solvable = (value > 0.0) & (value < np.inf) & known
     for iteration in range(ITERATIONS):
         # written so that a curve which has left the range of doubles is not met
         left = solvable & np.logical_not(np.abs(error) <= SETTLED * np.minimum(slope, 1.0))
@@ -78,7 +79,8 @@ def inverse(
                 break
             change = _last_step(t, value, *curve(t))
             t = t + change
-    root = np.where(value >= 0.0, np.minimum(t, largest), np.nan)
+    # a curve that is no number where the search begins has no root that is known
+    root = np.where((value >= 0.0) & known, np.minimum(t, largest), np.nan)
     return np.where(value == 0.0, 0.0, np.where(value == np.inf, np.inf, root))
 
 

@@ -81,10 +81,14 @@ def both(
     if stop != stop:
         return stop, stop
     panels = max(math.ceil(stop / width / lengths[-1][0]), 1)
-    panel = rule(lengths)(stop / width / panels)
-    nodes = [((start + node) / panels, weight / panels) for start in range(panels) for node, weight in panel]
-    values = [integrand(node * stop) for node, _ in nodes]
-    first, second = ([weight * value[i] for (_, weight), value in zip(nodes, values, strict=True)] for i in (0, 1))
+    nodes = rule(lengths)(stop / width / panels)
+    if panels > 1:
+        nodes = [((start + node) / panels, weight / panels) for start in range(panels) for node, weight in nodes]
+    first, second = [], []
+    for node, weight in nodes:
+        x, y = integrand(node * stop)
+        first.append(weight * x)
+        second.append(weight * y)
     return math.fsum(first) * stop, math.fsum(second) * stop
 
 

@@ -74,7 +74,10 @@ SYMBOLS = {
     "v_2": Domain("v_2 > 0", "speed of retraction, from t_h on, in m/s"),
     "t_m": Domain("t_m > 0", "time at which the indenter stops, in s"),
     "t_h": Domain(
-        "t_h >= t_m", "time at which it goes back, held at v t_m until then, in s", closed="low", otherwise="t_m"
+        "t_h >= t_m",
+        "time at which the indenter goes back, held at v t_m until then, in s",
+        closed="low",
+        otherwise="t_m",
     ),
     "young_1": Domain("E_1 > 0", "Young's modulus of the first body, in Pa", letter="E_1"),
     "young_2": Domain("E_2 > 0", "Young's modulus of the second body, in Pa", letter="E_2"),

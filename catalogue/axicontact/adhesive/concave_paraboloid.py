@@ -10,12 +10,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._runtime.interface import Array, Result, elementwise, require
-from .._runtime.physics.adhesion import PullOff, hess_retraction, require_control
+from .._runtime.physics.adhesion import PullOff, hess_retraction, require_control, separation
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-__all__ = ["pull_off", "retraction"]
+__all__ = ["pull_off", "retraction", "work_of_adhesion_from_pull_off"]
 
 
 def __dir__() -> list[str]:
@@ -117,9 +117,60 @@ def pull_off(control: str = "force", *, a: ArrayLike, h: ArrayLike, E_star: Arra
     return PullOff(depth * 0.0 + a, force, depth)
 
 
+def work_of_adhesion_from_pull_off(F: ArrayLike, *, a: ArrayLike, h: ArrayLike, E_star: ArrayLike) -> Result:
+    """Work of separation at which a contact breaks under the normal force F: the inverse of pull_off().force.
+
+    dgamma = (8*E_star*a*h - 3*abs(F))**2/(72*pi*E_star*a**3)
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    a : array_like
+        Contact radius [m], a > 0.
+    h : array_like
+        Height or depth of the profile [m], h > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Work of separation per unit area [N/m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes; complete contact only. The force is a tension, F < 0: NaN above the force at which
+    the edge is without tension, as under pressure.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Barber 1976; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import concave_paraboloid
+    >>> value = concave_paraboloid.work_of_adhesion_from_pull_off(-0.9013, a=1.0, h=0.15, E_star=1.0)
+    >>> round(value, 6)
+    0.009999
+    """
+    require(a=a, h=h, E_star=E_star)
+    return elementwise(_work_of_adhesion_from_pull_off, F=F, a=a, h=h, E_star=E_star)
+
+
 def _pull_off_depth(a: Array, h: Array, E_star: Array, dgamma: Array) -> Array:
     return -2 * h - hess_retraction(a, E_star, dgamma)
 
 
 def _pull_off_force(a: Array, h: Array, E_star: Array, dgamma: Array) -> Array:
     return -2 * a * np.sqrt(2 * np.pi * E_star * dgamma * a) - 8 * E_star * h / 3 * a
+
+
+def _work_of_adhesion_from_pull_off(F: Array, a: Array, h: Array, E_star: Array) -> Array:
+    least = _pull_off_force(a, h, E_star, 0.0)
+    return np.where(F <= least, separation(least - F, a, E_star), np.nan)

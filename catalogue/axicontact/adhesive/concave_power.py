@@ -10,14 +10,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._runtime.interface import Array, Result, elementwise, require
-from .._runtime.physics.adhesion import PullOff, hess_retraction, require_control
+from .._runtime.physics.adhesion import PullOff, hess_retraction, require_control, separation
 from .._runtime.special import gamma_ratio
 from ..normal import concave_power as normal
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-__all__ = ["pull_off", "retraction"]
+__all__ = ["pull_off", "retraction", "work_of_adhesion_from_pull_off"]
 
 
 def __dir__() -> list[str]:
@@ -124,6 +124,57 @@ def pull_off(
     return PullOff(depth * 0.0 + a, force, depth)
 
 
+def work_of_adhesion_from_pull_off(
+    F: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLike, E_star: ArrayLike
+) -> Result:
+    """Work of separation at which a contact breaks under the normal force F: the inverse of pull_off().force.
+
+    dgamma = (2*sqrt(pi)*E_star*a*h*n*gamma(n/2 + 1) - abs(F)*n*gamma(n/2 + 1/2) - abs(F)*gamma(n/2 +
+    1/2))**2/(8*pi*E_star*a**3*(n + 1)**2*gamma(n/2 + 1/2)**2)
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    a : array_like
+        Contact radius [m], a > 0.
+    h : array_like
+        Height or depth of the profile [m], h > 0.
+    n : array_like
+        Exponent of the profile [1], n > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Work of separation per unit area [N/m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes; complete contact only. The force is a tension, F < 0: NaN above the force at which
+    the edge is without tension, as under pressure.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Barber 1976; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import concave_power
+    >>> value = concave_power.work_of_adhesion_from_pull_off(-1.031, a=1.0, h=0.15, n=3.0, E_star=1.0)
+    >>> round(value, 6)
+    0.009981
+    """
+    normal._check(a=a, h=h, n=n, E_star=E_star)
+    return elementwise(_work_of_adhesion_from_pull_off, F=F, a=a, h=h, n=n, E_star=E_star)
+
+
 def _pull_off_depth(a: Array, h: Array, n: Array, E_star: Array, dgamma: Array) -> Array:
     kappa = gamma_ratio(n / 2 + 1 / 2)
     return -np.sqrt(np.pi) * h * kappa - hess_retraction(a, E_star, dgamma)
@@ -132,3 +183,8 @@ def _pull_off_depth(a: Array, h: Array, n: Array, E_star: Array, dgamma: Array) 
 def _pull_off_force(a: Array, h: Array, n: Array, E_star: Array, dgamma: Array) -> Array:
     kappa = gamma_ratio(n / 2 + 1 / 2)
     return -2 * a * np.sqrt(2 * np.pi * E_star * dgamma * a) - 2 * np.sqrt(np.pi) * E_star * n * h / (n + 1) * a * kappa
+
+
+def _work_of_adhesion_from_pull_off(F: Array, a: Array, h: Array, n: Array, E_star: Array) -> Array:
+    least = _pull_off_force(a, h, n, E_star, 0.0)
+    return np.where(F <= least, separation(least - F, a, E_star), np.nan)

@@ -19,6 +19,7 @@ from .._runtime.physics.adhesion import (
     power_law_radius,
     pull,
     require_control,
+    separation,
     tension,
 )
 from ..normal import cone as normal
@@ -35,6 +36,7 @@ __all__ = [
     "radius_from_depth",
     "radius_from_force",
     "retraction",
+    "work_of_adhesion_from_pull_off",
 ]
 
 
@@ -421,6 +423,50 @@ def pull_off(control: str = "force", *, theta: ArrayLike, E_star: ArrayLike, dga
     return PullOff(radius, force, depth)
 
 
+def work_of_adhesion_from_pull_off(F: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike) -> Result:
+    """Work of separation at which a contact breaks under the normal force F: the inverse of pull_off().force.
+
+    dgamma = sqrt(6)*sqrt(pi)*sqrt(E_star)*sqrt(abs(F))*tan(theta)**(3/2)/18
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Work of separation per unit area [N/m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1; a << size of the body. The force is a tension, F < 0: 0 without a force, NaN
+    under pressure, which breaks no contact, and where no stable contact bears the tension.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Love 1939; Schubert 1942; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import cone
+    >>> value = cone.work_of_adhesion_from_pull_off(-0.03534, theta=0.35, E_star=1.0)
+    >>> round(value, 6)
+    0.01
+    """
+    require(theta=theta, E_star=E_star)
+    return elementwise(_work_of_adhesion_from_pull_off, F=F, theta=theta, E_star=E_star)
+
+
 def _depth(a: Array, theta: Array, E_star: Array, dgamma: Array) -> Array:
     return normal._depth(a, theta) - hess_retraction(a, E_star, dgamma)
 
@@ -467,3 +513,10 @@ def _radius_from_force(F: Array, theta: Array, E_star: Array, dgamma: Array) -> 
     least = _pull_off_force(a_c, theta, E_star, dgamma, control="force")
     plain = normal._radius_from_force(np.maximum(F, 0.0), theta, E_star)
     return power_law_radius(F, a_c, least, 2.0, 1.5, plain)
+
+
+def _work_of_adhesion_from_pull_off(F: Array, theta: Array, E_star: Array) -> Array:
+    pull = np.where(F < 0.0, -F, np.nan)
+    lasting = 3 * pull
+    a = normal._radius_from_force(lasting, theta, E_star)
+    return np.where(F == 0.0, 0.0, separation(pull + lasting, a, E_star))

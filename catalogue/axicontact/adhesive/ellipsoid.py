@@ -11,7 +11,17 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._runtime.interface import Array, Kept, Result, elementwise, require
-from .._runtime.physics.adhesion import PullOff, hess_retraction, least_steepness, lift, pull, require_control, tension
+from .._runtime.physics.adhesion import (
+    PullOff,
+    held,
+    hess_retraction,
+    least_steepness,
+    lift,
+    pull,
+    require_control,
+    separation,
+    tension,
+)
 from .._runtime.physics.branches import Branches, Samples, branches, exponent_of, lowest, radii_below
 from .._runtime.physics.stable import growth, stable_radius
 from .._runtime.physics.unknowns import up_to
@@ -29,6 +39,7 @@ __all__ = [
     "radius_from_depth",
     "radius_from_force",
     "retraction",
+    "work_of_adhesion_from_pull_off",
 ]
 
 
@@ -442,6 +453,53 @@ def pull_off(control: str = "force", *, h: ArrayLike, b: ArrayLike, E_star: Arra
     return PullOff(radius, force, depth)
 
 
+def work_of_adhesion_from_pull_off(F: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Work of separation at which a contact breaks under the normal force F: the inverse of pull_off().force.
+
+    dgamma = (F_N + abs(F))**2/(8*pi*E_star*a**3) at the radius a at which it is least, F_N the force without
+    adhesion there
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    h : array_like
+        Height or depth of the profile [m], h > 0.
+    b : array_like
+        Radius at which the profile breaks, or its length across [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Work of separation per unit area [N/m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < b; small slopes. The force is a tension, F < 0: 0 without a force, NaN under pressure, which
+    breaks no contact, and where no stable contact bears the tension.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import ellipsoid
+    >>> value = ellipsoid.work_of_adhesion_from_pull_off(-0.1107, h=0.9, b=1.5, E_star=1.0)
+    >>> round(value, 6)
+    0.01
+    """
+    require(h=h, b=b, E_star=E_star)
+    return elementwise(_work_of_adhesion_from_pull_off, F=F, h=h, b=b, E_star=E_star)
+
+
 def _depth(a: Array, h: Array, b: Array, E_star: Array, dgamma: Array) -> Array:
     return normal._depth(a, h, b) - hess_retraction(a, E_star, dgamma)
 
@@ -526,3 +584,24 @@ def _radius_from_force(F: Array, h: Array, b: Array, E_star: Array, dgamma: Arra
         up_to(b),
     )
     return np.ldexp(radius, unit)
+
+
+@Kept
+def _held_samples(h: Array, b: Array) -> Samples:
+    """The force that can be held, over the modulus, at radii that separate the minima of the work of separation."""
+    a = radii_below(b)
+    return Samples(a, held(a, _rate(a, h, b), normal._force(a, h, b, 1.0)), a[-1], {})
+
+
+def _work_of_adhesion_from_pull_off(F: Array, h: Array, b: Array, E_star: Array) -> Array:
+    unit = exponent_of(b)
+    stress = exponent_of(E_star)
+    E_star = np.ldexp(E_star, -stress)
+    h = np.ldexp(h, -unit)
+    b = np.ldexp(b, -unit)
+    F = np.ldexp(F, -(stress + 2 * unit))
+    pull = np.where(F < 0.0, -F, np.nan)
+    found = branches(lambda a: held(a, _rate(a, h, b), normal._force(a, h, b, 1.0)), _held_samples(h, b), pull / E_star)
+    a = lowest(found, lambda a: separation(pull + normal._force(a, h, b, E_star), a, E_star))
+    work = separation(pull + normal._force(a, h, b, E_star), a, E_star)
+    return np.where(F == 0.0, 0.0, np.ldexp(work, stress + unit))

@@ -11,7 +11,17 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._runtime.interface import Array, Kept, Result, elementwise, require
-from .._runtime.physics.adhesion import PullOff, hess_retraction, least_steepness, lift, pull, require_control, tension
+from .._runtime.physics.adhesion import (
+    PullOff,
+    held,
+    hess_retraction,
+    least_steepness,
+    lift,
+    pull,
+    require_control,
+    separation,
+    tension,
+)
 from .._runtime.physics.branches import Branches, Samples, branches, exponent_of, lowest, radii_to
 from .._runtime.physics.stable import growth, stable_radius
 from .._runtime.physics.unknowns import on_the_bump
@@ -29,6 +39,7 @@ __all__ = [
     "radius_from_depth",
     "radius_from_force",
     "retraction",
+    "work_of_adhesion_from_pull_off",
 ]
 
 
@@ -445,6 +456,53 @@ def pull_off(control: str = "force", *, h: ArrayLike, s: ArrayLike, E_star: Arra
     return PullOff(radius, force, depth)
 
 
+def work_of_adhesion_from_pull_off(F: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike) -> Result:
+    """Work of separation at which a contact breaks under the normal force F: the inverse of pull_off().force.
+
+    dgamma = (F_N + abs(F))**2/(8*pi*E_star*a**3) at the radius a at which it is least, F_N the force without
+    adhesion there
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    h : array_like
+        Height or depth of the profile [m], h > 0.
+    s : array_like
+        Length scale of the profile [m], s > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Work of separation per unit area [N/m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for h << s. The force is a tension, F < 0: 0 without a force, NaN under pressure, which breaks no
+    contact, and where no stable contact bears the tension.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Popov, Heß & Willert 2019.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import gaussian
+    >>> value = gaussian.work_of_adhesion_from_pull_off(-0.03579, h=0.7, s=1.0, E_star=1.0)
+    >>> round(value, 6)
+    0.010001
+    """
+    require(h=h, s=s, E_star=E_star)
+    return elementwise(_work_of_adhesion_from_pull_off, F=F, h=h, s=s, E_star=E_star)
+
+
 def _depth(a: Array, h: Array, s: Array, E_star: Array, dgamma: Array) -> Array:
     return normal._depth(a, h, s) - hess_retraction(a, E_star, dgamma)
 
@@ -528,3 +586,24 @@ def _radius_from_force(F: Array, h: Array, s: Array, E_star: Array, dgamma: Arra
         on_the_bump(s),
     )
     return np.ldexp(radius, unit)
+
+
+@Kept
+def _held_samples(h: Array, s: Array) -> Samples:
+    """The force that can be held, over the modulus, at radii that separate the minima of the work of separation."""
+    a = radii_to(1.5019752682686114 * s)
+    return Samples(a, held(a, _rate(a, h, s), normal._force(a, h, s, 1.0)), a[-1], {})
+
+
+def _work_of_adhesion_from_pull_off(F: Array, h: Array, s: Array, E_star: Array) -> Array:
+    unit = exponent_of(s)
+    stress = exponent_of(E_star)
+    E_star = np.ldexp(E_star, -stress)
+    h = np.ldexp(h, -unit)
+    s = np.ldexp(s, -unit)
+    F = np.ldexp(F, -(stress + 2 * unit))
+    pull = np.where(F < 0.0, -F, np.nan)
+    found = branches(lambda a: held(a, _rate(a, h, s), normal._force(a, h, s, 1.0)), _held_samples(h, s), pull / E_star)
+    a = lowest(found, lambda a: separation(pull + normal._force(a, h, s, E_star), a, E_star))
+    work = separation(pull + normal._force(a, h, s, E_star), a, E_star)
+    return np.where(F == 0.0, 0.0, np.ldexp(work, stress + unit))

@@ -19,6 +19,7 @@ from .._runtime.physics.adhesion import (
     power_law_radius,
     pull,
     require_control,
+    separation,
     tension,
 )
 from ..normal import paraboloid as normal
@@ -35,6 +36,7 @@ __all__ = [
     "radius_from_depth",
     "radius_from_force",
     "retraction",
+    "work_of_adhesion_from_pull_off",
 ]
 
 
@@ -421,6 +423,50 @@ def pull_off(control: str = "force", *, R: ArrayLike, E_star: ArrayLike, dgamma:
     return PullOff(radius, force, depth)
 
 
+def work_of_adhesion_from_pull_off(F: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
+    """Work of separation at which a contact breaks under the normal force F: the inverse of pull_off().force.
+
+    dgamma = 2*abs(F)/(3*pi*R)
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Work of separation per unit area [N/m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R. The force is a tension, F < 0: 0 without a force, NaN under pressure, which breaks no
+    contact, and where no stable contact bears the tension.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Hertz 1882; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import paraboloid
+    >>> value = paraboloid.work_of_adhesion_from_pull_off(-0.0754, R=1.6, E_star=1.0)
+    >>> round(value, 6)
+    0.01
+    """
+    require(R=R, E_star=E_star)
+    return elementwise(_work_of_adhesion_from_pull_off, F=F, R=R, E_star=E_star)
+
+
 def _depth(a: Array, R: Array, E_star: Array, dgamma: Array) -> Array:
     return normal._depth(a, R) - hess_retraction(a, E_star, dgamma)
 
@@ -467,3 +513,10 @@ def _radius_from_force(F: Array, R: Array, E_star: Array, dgamma: Array) -> Arra
     least = _pull_off_force(a_c, R, E_star, dgamma, control="force")
     plain = normal._radius_from_force(np.maximum(F, 0.0), R, E_star)
     return power_law_radius(F, a_c, least, 3.0, 1.5, plain)
+
+
+def _work_of_adhesion_from_pull_off(F: Array, R: Array, E_star: Array) -> Array:
+    pull = np.where(F < 0.0, -F, np.nan)
+    lasting = pull
+    a = normal._radius_from_force(lasting, R, E_star)
+    return np.where(F == 0.0, 0.0, separation(pull + lasting, a, E_star))

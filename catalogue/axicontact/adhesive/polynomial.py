@@ -11,7 +11,17 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._runtime.interface import Array, Kept, Result, elementwise, require, require_coefficients
-from .._runtime.physics.adhesion import PullOff, hess_retraction, least_steepness, lift, pull, require_control, tension
+from .._runtime.physics.adhesion import (
+    PullOff,
+    held,
+    hess_retraction,
+    least_steepness,
+    lift,
+    pull,
+    require_control,
+    separation,
+    tension,
+)
 from .._runtime.physics.branches import Branches, Samples, branches, decades, lowest
 from .._runtime.physics.stable import growth, stable_radius
 from .._runtime.physics.unknowns import radius_itself
@@ -29,6 +39,7 @@ __all__ = [
     "radius_from_depth",
     "radius_from_force",
     "retraction",
+    "work_of_adhesion_from_pull_off",
 ]
 
 
@@ -435,6 +446,52 @@ def pull_off(control: str = "force", *, A: ArrayLike, E_star: ArrayLike, dgamma:
     return PullOff(radius, force, depth)
 
 
+def work_of_adhesion_from_pull_off(F: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
+    """Work of separation at which a contact breaks under the normal force F: the inverse of pull_off().force.
+
+    dgamma = (F_N + abs(F))**2/(8*pi*E_star*a**3) at the radius a at which it is least, F_N the force without
+    adhesion there
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    A : sequence of float
+        Coefficients of r, r^2, ..., none negative and not all zero.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Work of separation per unit area [N/m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes. The force is a tension, F < 0: 0 without a force, NaN under pressure, which breaks
+    no contact, and where no stable contact bears the tension.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Schubert 1942; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import polynomial
+    >>> value = polynomial.work_of_adhesion_from_pull_off(-0.05457, A=(0.1, 0.25, 0.05), E_star=1.0)
+    >>> round(value, 6)
+    0.009999
+    """
+    A = require_coefficients(A)
+    require(E_star=E_star)
+    return elementwise(partial(_work_of_adhesion_from_pull_off, A=A), F=F, E_star=E_star)
+
+
 def _depth(a: Array, A: tuple[float, ...], E_star: Array, dgamma: Array) -> Array:
     return normal._depth(a, A) - hess_retraction(a, E_star, dgamma)
 
@@ -495,3 +552,18 @@ def _radius_from_force(F: Array, A: tuple[float, ...], E_star: Array, dgamma: Ar
         lambda a: pull(a, E_star, dgamma),
         radius_itself(),
     )
+
+
+@Kept
+def _held_samples(A: tuple[float, ...]) -> Samples:
+    """The force that can be held, over the modulus, at radii that separate the minima of the work of separation."""
+    a = decades()
+    return Samples(a, held(a, _rate(a, A), normal._force(a, A, 1.0)), np.inf, {})
+
+
+def _work_of_adhesion_from_pull_off(F: Array, A: tuple[float, ...], E_star: Array) -> Array:
+    pull = np.where(F < 0.0, -F, np.nan)
+    found = branches(lambda a: held(a, _rate(a, A), normal._force(a, A, 1.0)), _held_samples(A), pull / E_star)
+    a = lowest(found, lambda a: separation(pull + normal._force(a, A, E_star), a, E_star))
+    work = separation(pull + normal._force(a, A, E_star), a, E_star)
+    return np.where(F == 0.0, 0.0, work)

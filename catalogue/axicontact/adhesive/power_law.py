@@ -20,6 +20,7 @@ from .._runtime.physics.adhesion import (
     power_law_radius,
     pull,
     require_control,
+    separation,
     tension,
 )
 from .._runtime.special import gamma_ratio
@@ -37,6 +38,7 @@ __all__ = [
     "radius_from_depth",
     "radius_from_force",
     "retraction",
+    "work_of_adhesion_from_pull_off",
 ]
 
 
@@ -469,6 +471,60 @@ def pull_off(control: str = "force", *, A: ArrayLike, n: ArrayLike, E_star: Arra
     return PullOff(radius, force, depth)
 
 
+def work_of_adhesion_from_pull_off(F: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Result:
+    """Work of separation at which a contact breaks under the normal force F: the inverse of pull_off().force.
+
+    dgamma = abs(F)**2*(8*pi**(3/2)*A**3*E_star**3*n**3*(2*n - 1)**3*gamma(n/2 + 1)**3/(27*abs(F)**3*(n +
+    1)**3*gamma((n + 1)/2)**3))**(1/(n + 1))*(n + 1)**2/(2*pi*E_star*(2*n - 1)**2)
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    n : array_like
+        Exponent of the profile [1], n > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Work of separation per unit area [N/m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes, n A a^(n-1) << 1. The force is a tension, F < 0: 0 without a force, NaN under
+    pressure, which breaks no contact, and where no stable contact bears the tension.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Galin 1946; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import power_law
+    >>> value = power_law.work_of_adhesion_from_pull_off(-0.0346, A=0.45, n=1.5, E_star=1.0)
+    >>> round(value, 6)
+    0.01
+    """
+    require(A=A, n=n, E_star=E_star)
+    require_order(
+        np.asarray(n) > 0.5,
+        "n > 1/2",
+        "a sharper profile has no pull-off, its adhesive contact is unstable at every radius; use n > 1/2, or"
+        " force(a) and depth(a) for the states of equilibrium",
+        n=n,
+    )
+    return elementwise(_work_of_adhesion_from_pull_off, F=F, A=A, n=n, E_star=E_star)
+
+
 def _depth(a: Array, A: Array, n: Array, E_star: Array, dgamma: Array) -> Array:
     return normal._depth(a, A, n) - hess_retraction(a, E_star, dgamma)
 
@@ -518,3 +574,10 @@ def _radius_from_force(F: Array, A: Array, n: Array, E_star: Array, dgamma: Arra
     least = _pull_off_force(a_c, A, n, E_star, dgamma, control="force")
     plain = normal._radius_from_force(np.maximum(F, 0.0), A, n, E_star)
     return power_law_radius(F, a_c, least, n + 1, 1.5, plain)
+
+
+def _work_of_adhesion_from_pull_off(F: Array, A: Array, n: Array, E_star: Array) -> Array:
+    pull = np.where(F < 0.0, -F, np.nan)
+    lasting = 3 * pull / (2 * n - 1)
+    a = normal._radius_from_force(lasting, A, n, E_star)
+    return np.where(F == 0.0, 0.0, separation(pull + lasting, a, E_star))

@@ -20,6 +20,7 @@ from .._runtime.physics.adhesion import (
     power_law_radius,
     pull,
     require_control,
+    separation,
     tension,
 )
 from ..normal import sextic as normal
@@ -36,6 +37,7 @@ __all__ = [
     "radius_from_depth",
     "radius_from_force",
     "retraction",
+    "work_of_adhesion_from_pull_off",
 ]
 
 
@@ -421,6 +423,50 @@ def pull_off(control: str = "force", *, A: ArrayLike, E_star: ArrayLike, dgamma:
     return PullOff(radius, force, depth)
 
 
+def work_of_adhesion_from_pull_off(F: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
+    """Work of separation at which a contact breaks under the normal force F: the inverse of pull_off().force.
+
+    dgamma = 14*31957310000**(1/7)*A**(3/7)*abs(F)**(11/7)/(605*pi*E_star**(4/7))
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Work of separation per unit area [N/m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes, 6 A a^5 << 1. The force is a tension, F < 0: 0 without a force, NaN under
+    pressure, which breaks no contact, and where no stable contact bears the tension.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import sextic
+    >>> value = sextic.work_of_adhesion_from_pull_off(-0.173, A=0.4, E_star=1.0)
+    >>> round(value, 6)
+    0.009999
+    """
+    require(A=A, E_star=E_star)
+    return elementwise(_work_of_adhesion_from_pull_off, F=F, A=A, E_star=E_star)
+
+
 def _depth(a: Array, A: Array, E_star: Array, dgamma: Array) -> Array:
     return normal._depth(a, A) - hess_retraction(a, E_star, dgamma)
 
@@ -467,3 +513,10 @@ def _radius_from_force(F: Array, A: Array, E_star: Array, dgamma: Array) -> Arra
     least = _pull_off_force(a_c, A, E_star, dgamma, control="force")
     plain = normal._radius_from_force(np.maximum(F, 0.0), A, E_star)
     return power_law_radius(F, a_c, least, 7.0, 1.5, plain)
+
+
+def _work_of_adhesion_from_pull_off(F: Array, A: Array, E_star: Array) -> Array:
+    pull = np.where(F < 0.0, -F, np.nan)
+    lasting = 3 * pull / 11
+    a = normal._radius_from_force(lasting, A, E_star)
+    return np.where(F == 0.0, 0.0, separation(pull + lasting, a, E_star))

@@ -11,7 +11,17 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._runtime.interface import Array, Kept, Result, elementwise, require
-from .._runtime.physics.adhesion import PullOff, hess_retraction, least_steepness, lift, pull, require_control, tension
+from .._runtime.physics.adhesion import (
+    PullOff,
+    held,
+    hess_retraction,
+    least_steepness,
+    lift,
+    pull,
+    require_control,
+    separation,
+    tension,
+)
 from .._runtime.physics.branches import Branches, Samples, branches, exponent_of, lowest, radii_below
 from .._runtime.physics.stable import growth, stable_radius
 from .._runtime.physics.unknowns import up_to
@@ -29,6 +39,7 @@ __all__ = [
     "radius_from_depth",
     "radius_from_force",
     "retraction",
+    "work_of_adhesion_from_pull_off",
 ]
 
 
@@ -431,6 +442,51 @@ def pull_off(control: str = "force", *, R: ArrayLike, E_star: ArrayLike, dgamma:
     return PullOff(radius, force, depth)
 
 
+def work_of_adhesion_from_pull_off(F: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
+    """Work of separation at which a contact breaks under the normal force F: the inverse of pull_off().force.
+
+    dgamma = (F_N + abs(F))**2/(8*pi*E_star*a**3) at the radius a at which it is least, F_N the force without
+    adhesion there
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Work of separation per unit area [N/m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < R; the theory of small slopes asks for a << R. The force is a tension, F < 0: 0 without a
+    force, NaN under pressure, which breaks no contact, and where no stable contact bears the tension.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Segedin 1957; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import sphere
+    >>> value = sphere.work_of_adhesion_from_pull_off(-0.06845, R=1.5, E_star=1.0)
+    >>> round(value, 6)
+    0.01
+    """
+    require(R=R, E_star=E_star)
+    return elementwise(_work_of_adhesion_from_pull_off, F=F, R=R, E_star=E_star)
+
+
 def _depth(a: Array, R: Array, E_star: Array, dgamma: Array) -> Array:
     return normal._depth(a, R) - hess_retraction(a, E_star, dgamma)
 
@@ -512,3 +568,23 @@ def _radius_from_force(F: Array, R: Array, E_star: Array, dgamma: Array) -> Arra
         up_to(R),
     )
     return np.ldexp(radius, unit)
+
+
+@Kept
+def _held_samples(R: Array) -> Samples:
+    """The force that can be held, over the modulus, at radii that separate the minima of the work of separation."""
+    a = radii_below(R)
+    return Samples(a, held(a, _rate(a, R), normal._force(a, R, 1.0)), a[-1], {})
+
+
+def _work_of_adhesion_from_pull_off(F: Array, R: Array, E_star: Array) -> Array:
+    unit = exponent_of(R)
+    stress = exponent_of(E_star)
+    E_star = np.ldexp(E_star, -stress)
+    R = np.ldexp(R, -unit)
+    F = np.ldexp(F, -(stress + 2 * unit))
+    pull = np.where(F < 0.0, -F, np.nan)
+    found = branches(lambda a: held(a, _rate(a, R), normal._force(a, R, 1.0)), _held_samples(R), pull / E_star)
+    a = lowest(found, lambda a: separation(pull + normal._force(a, R, E_star), a, E_star))
+    work = separation(pull + normal._force(a, R, E_star), a, E_star)
+    return np.where(F == 0.0, 0.0, np.ldexp(work, stress + unit))

@@ -11,7 +11,17 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._runtime.interface import Array, Kept, Result, elementwise, require
-from .._runtime.physics.adhesion import PullOff, hess_retraction, least_steepness, lift, pull, require_control, tension
+from .._runtime.physics.adhesion import (
+    PullOff,
+    held,
+    hess_retraction,
+    least_steepness,
+    lift,
+    pull,
+    require_control,
+    separation,
+    tension,
+)
 from .._runtime.physics.branches import Branches, Samples, branches, exponent_of, lowest, radii_of_waves
 from .._runtime.physics.stable import growth, stable_radius
 from .._runtime.physics.unknowns import radius_itself
@@ -29,6 +39,7 @@ __all__ = [
     "radius_from_depth",
     "radius_from_force",
     "retraction",
+    "work_of_adhesion_from_pull_off",
 ]
 
 
@@ -496,6 +507,57 @@ def pull_off(
     return PullOff(radius, force, depth)
 
 
+def work_of_adhesion_from_pull_off(
+    F: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike, E_star: ArrayLike
+) -> Result:
+    """Work of separation at which a contact breaks under the normal force F: the inverse of pull_off().force.
+
+    dgamma = (F_N + abs(F))**2/(8*pi*E_star*a**3) at the radius a at which it is least, F_N the force without
+    adhesion there
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    h : array_like
+        Height or depth of the profile [m], h > 0.
+    wavelength : array_like
+        Wavelength of the waviness [m], wavelength > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Work of separation per unit area [N/m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R; waves so flat that g' >= 0 for every a. The force is a tension, F < 0: 0 without a
+    force, NaN under pressure, which breaks no contact, and where no stable contact bears the tension.
+
+    References
+    ----------
+    chapter 11, equation (11.31); Guduru 2007.
+
+    Examples
+    --------
+    >>> from axicontact.adhesive import wavy_paraboloid
+    >>> value = wavy_paraboloid.work_of_adhesion_from_pull_off(-0.1014, R=1.6, h=0.01, wavelength=0.5, E_star=1.0)
+    >>> round(value, 6)
+    0.010001
+    """
+    normal._check(R=R, h=h, wavelength=wavelength, E_star=E_star)
+    return elementwise(_work_of_adhesion_from_pull_off, F=F, R=R, h=h, wavelength=wavelength, E_star=E_star)
+
+
 def _depth(a: Array, R: Array, h: Array, wavelength: Array, E_star: Array, dgamma: Array) -> Array:
     return normal._depth(a, R, h, wavelength) - hess_retraction(a, E_star, dgamma)
 
@@ -586,3 +648,29 @@ def _radius_from_force(F: Array, R: Array, h: Array, wavelength: Array, E_star: 
         radius_itself(),
     )
     return np.ldexp(radius, unit)
+
+
+@Kept
+def _held_samples(R: Array, h: Array, wavelength: Array, E_star: Array, pull: Array) -> Samples:
+    """The force that can be held, over the modulus, at radii that separate the minima of the work of separation."""
+    a = radii_of_waves(wavelength, (12.0 * R * pull / E_star) ** (1.0 / 3.0))
+    return Samples(a, held(a, _rate(a, R, h, wavelength), normal._force(a, R, h, wavelength, 1.0)), np.inf, {})
+
+
+def _work_of_adhesion_from_pull_off(F: Array, R: Array, h: Array, wavelength: Array, E_star: Array) -> Array:
+    unit = exponent_of(wavelength)
+    stress = exponent_of(E_star)
+    E_star = np.ldexp(E_star, -stress)
+    R = np.ldexp(R, -unit)
+    h = np.ldexp(h, -unit)
+    wavelength = np.ldexp(wavelength, -unit)
+    F = np.ldexp(F, -(stress + 2 * unit))
+    pull = np.where(F < 0.0, -F, np.nan)
+    found = branches(
+        lambda a: held(a, _rate(a, R, h, wavelength), normal._force(a, R, h, wavelength, 1.0)),
+        _held_samples(R, h, wavelength, E_star, pull),
+        pull / E_star,
+    )
+    a = lowest(found, lambda a: separation(pull + normal._force(a, R, h, wavelength, E_star), a, E_star))
+    work = separation(pull + normal._force(a, R, h, wavelength, E_star), a, E_star)
+    return np.where(F == 0.0, 0.0, np.ldexp(work, stress + unit))

@@ -565,9 +565,11 @@ def pull_off(
     radius = elementwise(
         partial(_pull_off_radius, control=control), R1=R1, R2=R2, b=b, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0
     )
-    zone = elementwise(_pull_off_zone, radius, R1=R1, R2=R2, b=b, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
-    force = elementwise(_force_of, radius, zone, R1=R1, R2=R2, b=b, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
-    depth = elementwise(_pull_off_depth, radius, zone, R1=R1, R2=R2, b=b, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
+    zone = elementwise(_pull_off_zone, a=radius, R1=R1, R2=R2, b=b, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
+    force = elementwise(_force_of, a=radius, q=zone, R1=R1, R2=R2, b=b, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
+    depth = elementwise(
+        _pull_off_depth, a=radius, q=zone, R1=R1, R2=R2, b=b, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0
+    )
     return PullOff(radius, force, depth)
 
 
@@ -772,7 +774,7 @@ def _pull_off_zone(a: Array, R1: Array, R2: Array, b: Array, E_star: Array, dgam
     return either(
         a > 0.0,
         lambda: _zone(a, R1, R2, b, E_star, dgamma, sigma_0),
-        lambda: _parted(R1, R2, b, E_star, dgamma, sigma_0),
+        lambda: np.where(a == 0.0, _parted(R1, R2, b, E_star, dgamma, sigma_0), np.nan),
     )
 
 

@@ -494,9 +494,9 @@ def pull_off(
     radius = elementwise(
         partial(_pull_off_radius, control=control), h=h, s=s, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0
     )
-    zone = elementwise(_pull_off_zone, radius, h=h, s=s, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
-    force = elementwise(_force_of, radius, zone, h=h, s=s, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
-    depth = elementwise(_pull_off_depth, radius, zone, h=h, s=s, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
+    zone = elementwise(_pull_off_zone, a=radius, h=h, s=s, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
+    force = elementwise(_force_of, a=radius, q=zone, h=h, s=s, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
+    depth = elementwise(_pull_off_depth, a=radius, q=zone, h=h, s=s, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
     return PullOff(radius, force, depth)
 
 
@@ -677,7 +677,9 @@ def _parted(h: Array, s: Array, E_star: Array, dgamma: Array, sigma_0: Array) ->
 
 def _pull_off_zone(a: Array, h: Array, s: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     return either(
-        a > 0.0, lambda: _zone(a, h, s, E_star, dgamma, sigma_0), lambda: _parted(h, s, E_star, dgamma, sigma_0)
+        a > 0.0,
+        lambda: _zone(a, h, s, E_star, dgamma, sigma_0),
+        lambda: np.where(a == 0.0, _parted(h, s, E_star, dgamma, sigma_0), np.nan),
     )
 
 

@@ -502,9 +502,11 @@ def pull_off(
     radius = elementwise(
         partial(_pull_off_radius, control=control), theta=theta, b=b, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0
     )
-    zone = elementwise(_pull_off_zone, radius, theta=theta, b=b, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
-    force = elementwise(_force_of, radius, zone, theta=theta, b=b, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
-    depth = elementwise(_pull_off_depth, radius, zone, theta=theta, b=b, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
+    zone = elementwise(_pull_off_zone, a=radius, theta=theta, b=b, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
+    force = elementwise(_force_of, a=radius, q=zone, theta=theta, b=b, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
+    depth = elementwise(
+        _pull_off_depth, a=radius, q=zone, theta=theta, b=b, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0
+    )
     return PullOff(radius, force, depth)
 
 
@@ -677,7 +679,9 @@ def _parted(theta: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array
 
 def _pull_off_zone(a: Array, theta: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     return either(
-        a > 0.0, lambda: _zone(a, theta, b, E_star, dgamma, sigma_0), lambda: _parted(theta, b, E_star, dgamma, sigma_0)
+        a > 0.0,
+        lambda: _zone(a, theta, b, E_star, dgamma, sigma_0),
+        lambda: np.where(a == 0.0, _parted(theta, b, E_star, dgamma, sigma_0), np.nan),
     )
 
 

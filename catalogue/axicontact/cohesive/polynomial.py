@@ -485,9 +485,9 @@ def pull_off(
     require(E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
     require_control(control)
     radius = elementwise(partial(_pull_off_radius, A=A, control=control), E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
-    zone = elementwise(partial(_pull_off_zone, A=A), radius, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
-    force = elementwise(partial(_force_of, A=A), radius, zone, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
-    depth = elementwise(partial(_pull_off_depth, A=A), radius, zone, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
+    zone = elementwise(partial(_pull_off_zone, A=A), a=radius, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
+    force = elementwise(partial(_force_of, A=A), a=radius, q=zone, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
+    depth = elementwise(partial(_pull_off_depth, A=A), a=radius, q=zone, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
     return PullOff(radius, force, depth)
 
 
@@ -656,7 +656,11 @@ def _parted(A: tuple[float, ...], E_star: Array, dgamma: Array, sigma_0: Array) 
 
 
 def _pull_off_zone(a: Array, A: tuple[float, ...], E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
-    return either(a > 0.0, lambda: _zone(a, A, E_star, dgamma, sigma_0), lambda: _parted(A, E_star, dgamma, sigma_0))
+    return either(
+        a > 0.0,
+        lambda: _zone(a, A, E_star, dgamma, sigma_0),
+        lambda: np.where(a == 0.0, _parted(A, E_star, dgamma, sigma_0), np.nan),
+    )
 
 
 def _pull_off_depth(a: Array, q: Array, A: tuple[float, ...], E_star: Array, dgamma: Array, sigma_0: Array) -> Array:

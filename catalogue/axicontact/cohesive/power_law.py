@@ -499,9 +499,9 @@ def pull_off(
     radius = elementwise(
         partial(_pull_off_radius, control=control), A=A, n=n, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0
     )
-    zone = elementwise(_pull_off_zone, radius, A=A, n=n, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
-    force = elementwise(_force_of, radius, zone, A=A, n=n, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
-    depth = elementwise(_pull_off_depth, radius, zone, A=A, n=n, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
+    zone = elementwise(_pull_off_zone, a=radius, A=A, n=n, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
+    force = elementwise(_force_of, a=radius, q=zone, A=A, n=n, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
+    depth = elementwise(_pull_off_depth, a=radius, q=zone, A=A, n=n, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
     return PullOff(radius, force, depth)
 
 
@@ -673,7 +673,9 @@ def _parted(A: Array, n: Array, E_star: Array, dgamma: Array, sigma_0: Array) ->
 
 def _pull_off_zone(a: Array, A: Array, n: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     return either(
-        a > 0.0, lambda: _zone(a, A, n, E_star, dgamma, sigma_0), lambda: _parted(A, n, E_star, dgamma, sigma_0)
+        a > 0.0,
+        lambda: _zone(a, A, n, E_star, dgamma, sigma_0),
+        lambda: np.where(a == 0.0, _parted(A, n, E_star, dgamma, sigma_0), np.nan),
     )
 
 

@@ -462,9 +462,9 @@ def pull_off(
     require(A=A, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
     require_control(control)
     radius = elementwise(partial(_pull_off_radius, control=control), A=A, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
-    zone = elementwise(_pull_off_zone, radius, A=A, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
-    force = elementwise(_force_of, radius, zone, A=A, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
-    depth = elementwise(_pull_off_depth, radius, zone, A=A, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
+    zone = elementwise(_pull_off_zone, a=radius, A=A, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
+    force = elementwise(_force_of, a=radius, q=zone, A=A, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
+    depth = elementwise(_pull_off_depth, a=radius, q=zone, A=A, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
     return PullOff(radius, force, depth)
 
 
@@ -625,7 +625,11 @@ def _parted(A: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
 
 
 def _pull_off_zone(a: Array, A: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
-    return either(a > 0.0, lambda: _zone(a, A, E_star, dgamma, sigma_0), lambda: _parted(A, E_star, dgamma, sigma_0))
+    return either(
+        a > 0.0,
+        lambda: _zone(a, A, E_star, dgamma, sigma_0),
+        lambda: np.where(a == 0.0, _parted(A, E_star, dgamma, sigma_0), np.nan),
+    )
 
 
 def _pull_off_depth(a: Array, q: Array, A: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:

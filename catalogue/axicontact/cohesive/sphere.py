@@ -464,9 +464,9 @@ def pull_off(
     require(R=R, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
     require_control(control)
     radius = elementwise(partial(_pull_off_radius, control=control), R=R, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
-    zone = elementwise(_pull_off_zone, radius, R=R, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
-    force = elementwise(_force_of, radius, zone, R=R, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
-    depth = elementwise(_pull_off_depth, radius, zone, R=R, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
+    zone = elementwise(_pull_off_zone, a=radius, R=R, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
+    force = elementwise(_force_of, a=radius, q=zone, R=R, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
+    depth = elementwise(_pull_off_depth, a=radius, q=zone, R=R, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
     return PullOff(radius, force, depth)
 
 
@@ -631,7 +631,11 @@ def _parted(R: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
 
 
 def _pull_off_zone(a: Array, R: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
-    return either(a > 0.0, lambda: _zone(a, R, E_star, dgamma, sigma_0), lambda: _parted(R, E_star, dgamma, sigma_0))
+    return either(
+        a > 0.0,
+        lambda: _zone(a, R, E_star, dgamma, sigma_0),
+        lambda: np.where(a == 0.0, _parted(R, E_star, dgamma, sigma_0), np.nan),
+    )
 
 
 def _pull_off_depth(a: Array, q: Array, R: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:

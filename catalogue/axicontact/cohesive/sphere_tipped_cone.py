@@ -473,9 +473,11 @@ def pull_off(
     radius = elementwise(
         partial(_pull_off_radius, control=control), R=R, theta=theta, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0
     )
-    zone = elementwise(_pull_off_zone, radius, R=R, theta=theta, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
-    force = elementwise(_force_of, radius, zone, R=R, theta=theta, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
-    depth = elementwise(_pull_off_depth, radius, zone, R=R, theta=theta, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
+    zone = elementwise(_pull_off_zone, a=radius, R=R, theta=theta, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
+    force = elementwise(_force_of, a=radius, q=zone, R=R, theta=theta, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
+    depth = elementwise(
+        _pull_off_depth, a=radius, q=zone, R=R, theta=theta, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0
+    )
     return PullOff(radius, force, depth)
 
 
@@ -643,7 +645,9 @@ def _parted(R: Array, theta: Array, E_star: Array, dgamma: Array, sigma_0: Array
 
 def _pull_off_zone(a: Array, R: Array, theta: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     return either(
-        a > 0.0, lambda: _zone(a, R, theta, E_star, dgamma, sigma_0), lambda: _parted(R, theta, E_star, dgamma, sigma_0)
+        a > 0.0,
+        lambda: _zone(a, R, theta, E_star, dgamma, sigma_0),
+        lambda: np.where(a == 0.0, _parted(R, theta, E_star, dgamma, sigma_0), np.nan),
     )
 
 

@@ -11,13 +11,28 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._runtime.interface import Array, Result, elementwise, require
-from .._runtime.physics.layer import State, of_states, on_layer, radius_on_layer, require_base, wave_sum
+from .._runtime.physics.adhesion import tension
+from .._runtime.physics.layer import (
+    State,
+    added_pressure,
+    below_punch,
+    number_of,
+    of_states,
+    on_layer,
+    radius_on_layer,
+    require_base,
+    retraction_on_layer,
+    wave_sum,
+)
 from ..normal import ellipsoid as normal
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 __all__ = [
+    "adhesive_depth",
+    "adhesive_force",
+    "adhesive_pressure",
     "depth",
     "depth_first_order",
     "depth_from_force",
@@ -595,6 +610,222 @@ def force_second_order(
     return elementwise(partial(_force_second_order, base=base), a, h=h, b=b, E_star=E_star, nu=nu, thickness=thickness)
 
 
+def adhesive_depth(
+    a: ArrayLike,
+    *,
+    h: ArrayLike,
+    b: ArrayLike,
+    E_star: ArrayLike,
+    nu: ArrayLike,
+    thickness: ArrayLike,
+    dgamma: ArrayLike,
+    base: str = "bonded",
+) -> Result:
+    """Indentation depth at contact radius a with short-ranged adhesion (JKR).
+
+    d = g(a) - Integral(K(a, t)*q(t), (t, 0, a)) - sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    h : array_like
+        Height or depth of the profile [m], h > 0.
+    b : array_like
+        Radius at which the profile breaks, or its length across [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+    thickness : array_like
+        Thickness of the layer [m], thickness > 0.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+    base : {"bonded", "frictionless"}
+        How the layer lies on what is below it.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    The springs below the surface are pressed in by q(t) = d - g(t) + Integral(K(t, s)*q(s), (s, 0, a)),
+    -sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star) at t = a; K(t, s) = 2*Integral((1 -
+    L(u))*cos(s*u/thickness)*cos(t*u/thickness), (u, 0, oo))/(pi*thickness), L how far a wave moves a layer,
+    over a half-space. Valid for a < b; small slopes; the indenter and the base are rigid, E_star = E/(1 -
+    nu^2) is that of the layer. One linear system for each contact, a <= 20 thickness. Negative or NaN field
+    values give NaN. Handbook: ellipsoid.lay.dadh.
+
+    References
+    ----------
+    Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.layer import ellipsoid
+    >>> value = ellipsoid.adhesive_depth(1.0, h=0.9, b=1.5, E_star=1.0, nu=0.3, thickness=2.0, dgamma=0.01)
+    >>> round(value, 6)
+    0.200358
+    """
+    require(h=h, b=b, E_star=E_star, nu=nu, thickness=thickness, dgamma=dgamma)
+    require_base(base)
+    return elementwise(
+        partial(_adhesive_depth, base=base), a, h=h, b=b, E_star=E_star, nu=nu, thickness=thickness, dgamma=dgamma
+    )
+
+
+def adhesive_force(
+    a: ArrayLike,
+    *,
+    h: ArrayLike,
+    b: ArrayLike,
+    E_star: ArrayLike,
+    nu: ArrayLike,
+    thickness: ArrayLike,
+    dgamma: ArrayLike,
+    base: str = "bonded",
+) -> Result:
+    """Normal force at contact radius a with short-ranged adhesion (JKR).
+
+    F = 2*E_star*Integral(q(t), (t, 0, a))
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    h : array_like
+        Height or depth of the profile [m], h > 0.
+    b : array_like
+        Radius at which the profile breaks, or its length across [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+    thickness : array_like
+        Thickness of the layer [m], thickness > 0.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+    base : {"bonded", "frictionless"}
+        How the layer lies on what is below it.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    The springs below the surface are pressed in by q(t) = d - g(t) + Integral(K(t, s)*q(s), (s, 0, a)),
+    -sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star) at t = a; K(t, s) = 2*Integral((1 -
+    L(u))*cos(s*u/thickness)*cos(t*u/thickness), (u, 0, oo))/(pi*thickness), L how far a wave moves a layer,
+    over a half-space. Valid for a < b; small slopes; the indenter and the base are rigid, E_star = E/(1 -
+    nu^2) is that of the layer. One linear system for each contact, a <= 20 thickness. Negative or NaN field
+    values give NaN. Handbook: ellipsoid.lay.Fadh.
+
+    References
+    ----------
+    Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.layer import ellipsoid
+    >>> value = ellipsoid.adhesive_force(1.0, h=0.9, b=1.5, E_star=1.0, nu=0.3, thickness=2.0, dgamma=0.01)
+    >>> round(value, 6)
+    0.178691
+    """
+    require(h=h, b=b, E_star=E_star, nu=nu, thickness=thickness, dgamma=dgamma)
+    require_base(base)
+    return elementwise(
+        partial(_adhesive_force, base=base), a, h=h, b=b, E_star=E_star, nu=nu, thickness=thickness, dgamma=dgamma
+    )
+
+
+def adhesive_pressure(
+    r: ArrayLike,
+    a: ArrayLike,
+    *,
+    h: ArrayLike,
+    b: ArrayLike,
+    E_star: ArrayLike,
+    nu: ArrayLike,
+    thickness: ArrayLike,
+    dgamma: ArrayLike,
+    base: str = "bonded",
+) -> Result:
+    """Contact pressure with short-ranged adhesion (JKR); infinite at the edge, zero outside.
+
+    p = E_star*(-Integral(Derivative(q(t), t)/sqrt(-r**2 + t**2), (t, r, a)) + q(a)/sqrt(a**2 - r**2))/pi
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    h : array_like
+        Height or depth of the profile [m], h > 0.
+    b : array_like
+        Radius at which the profile breaks, or its length across [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+    thickness : array_like
+        Thickness of the layer [m], thickness > 0.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+    base : {"bonded", "frictionless"}
+        How the layer lies on what is below it.
+
+    Returns
+    -------
+    float or ndarray
+        Contact pressure, positive in compression [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    The springs below the surface are pressed in by q(t) = d - g(t) + Integral(K(t, s)*q(s), (s, 0, a)),
+    -sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star) at t = a; K(t, s) = 2*Integral((1 -
+    L(u))*cos(s*u/thickness)*cos(t*u/thickness), (u, 0, oo))/(pi*thickness), L how far a wave moves a layer,
+    over a half-space. Valid for a < b; small slopes; the indenter and the base are rigid, E_star = E/(1 -
+    nu^2) is that of the layer. One linear system for each contact, a <= 20 thickness. Negative or NaN field
+    values give NaN. Handbook: ellipsoid.lay.padh.
+
+    References
+    ----------
+    Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.layer import ellipsoid
+    >>> value = ellipsoid.adhesive_pressure(0.3, 1.0, h=0.9, b=1.5, E_star=1.0, nu=0.3, thickness=2.0, dgamma=0.01)
+    >>> round(value, 6)
+    0.202367
+    """
+    require(h=h, b=b, E_star=E_star, nu=nu, thickness=thickness, dgamma=dgamma)
+    require_base(base)
+    return elementwise(
+        partial(_adhesive_pressure, base=base), r, a, h=h, b=b, E_star=E_star, nu=nu, thickness=thickness, dgamma=dgamma
+    )
+
+
 @of_states
 def _contact(a: Array, h: Array, b: Array, nu: Array, thickness: Array, base: str) -> State:
     """What the layer changes of a contact of radius a."""
@@ -603,24 +834,24 @@ def _contact(a: Array, h: Array, b: Array, nu: Array, thickness: Array, base: st
 
 def _depth(a: Array, h: Array, b: Array, nu: Array, thickness: Array, base: str) -> Array:
     found = _contact(a, h, b, nu, thickness, base)
-    return normal._depth(a, h, b) - found.of("less")
+    return normal._depth(a, h, b) - number_of(found, "less")
 
 
 def _force(a: Array, h: Array, b: Array, E_star: Array, nu: Array, thickness: Array, base: str) -> Array:
     found = _contact(a, h, b, nu, thickness, base)
-    return normal._force(a, h, b, E_star) + E_star * found.of("more")
+    return normal._force(a, h, b, E_star) + E_star * number_of(found, "more")
 
 
 def _pressure(r: Array, a: Array, h: Array, b: Array, E_star: Array, nu: Array, thickness: Array, base: str) -> Array:
     found = _contact(a, h, b, nu, thickness, base)
-    return normal._pressure(r, a, h, b, E_star) + E_star * found.pressure(r)
+    return normal._pressure(r, a, h, b, E_star) + E_star * added_pressure(found, r)
 
 
 def _radius_from_depth(d: Array, h: Array, b: Array, nu: Array, thickness: Array, base: str) -> Array:
     def curve(t: Array) -> tuple[Array, Array]:
         found = _contact(t, h, b, nu, thickness, base)
-        value = normal._depth(t, h, b) - found.of("less")
-        return value, t * found.of("rate") / value
+        value = normal._depth(t, h, b) - number_of(found, "less")
+        return value, t * number_of(found, "rate") / value
 
     return radius_on_layer(curve, d, normal._radius_from_depth(d, h, b), thickness, b, True)
 
@@ -628,8 +859,8 @@ def _radius_from_depth(d: Array, h: Array, b: Array, nu: Array, thickness: Array
 def _radius_from_force(F: Array, h: Array, b: Array, E_star: Array, nu: Array, thickness: Array, base: str) -> Array:
     def curve(t: Array) -> tuple[Array, Array]:
         found = _contact(t, h, b, nu, thickness, base)
-        value = normal._force(t, h, b, E_star) + E_star * found.of("more")
-        return value, t * E_star * found.of("stiffness") * found.of("rate") / value
+        value = normal._force(t, h, b, E_star) + E_star * number_of(found, "more")
+        return value, t * E_star * number_of(found, "stiffness") * number_of(found, "rate") / value
 
     return radius_on_layer(curve, F, normal._radius_from_force(F, h, b, E_star), thickness, b, True)
 
@@ -655,3 +886,26 @@ def _force_second_order(a: Array, h: Array, b: Array, E_star: Array, nu: Array, 
     m_2 = wave_sum(nu, base, 2)
     ratio = a / thickness
     return E_star * carried * (2 * m_2 * ratio**3 / (3 * np.pi) + 1)
+
+
+def _adhesive_depth(
+    a: Array, h: Array, b: Array, E_star: Array, nu: Array, thickness: Array, dgamma: Array, base: str
+) -> Array:
+    return _depth(a, h, b, nu, thickness, base) - retraction_on_layer(a, E_star, nu, thickness, dgamma, base)
+
+
+def _adhesive_force(
+    a: Array, h: Array, b: Array, E_star: Array, nu: Array, thickness: Array, dgamma: Array, base: str
+) -> Array:
+    punch = below_punch(a, thickness, nu, base)
+    drawn = E_star * retraction_on_layer(a, E_star, nu, thickness, dgamma, base)
+    return _force(a, h, b, E_star, nu, thickness, base) - drawn * number_of(punch, "stiffness")
+
+
+def _adhesive_pressure(
+    r: Array, a: Array, h: Array, b: Array, E_star: Array, nu: Array, thickness: Array, dgamma: Array, base: str
+) -> Array:
+    punch = below_punch(a, thickness, nu, base)
+    drawn = E_star * retraction_on_layer(a, E_star, nu, thickness, dgamma, base)
+    pulled = tension(r, a, E_star, dgamma) + drawn * added_pressure(punch, r)
+    return _pressure(r, a, h, b, E_star, nu, thickness, base) - pulled

@@ -9,7 +9,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from .._runtime.interface import Array, Result, elementwise, require
-from .._runtime.physics.layer import State, of_states, on_layer, require_base
+from .._runtime.physics.layer import State, added_pressure, number_of, of_states, on_layer, require_base
 from ..normal import flat_punch as normal
 
 if TYPE_CHECKING:
@@ -210,14 +210,14 @@ def _contact(a: Array, nu: Array, thickness: Array, base: str) -> State:
 
 def _force(d: Array, a: Array, E_star: Array, nu: Array, thickness: Array, base: str) -> Array:
     found = _contact(a, nu, thickness, base)
-    return E_star * d * found.of("stiffness")
+    return E_star * d * number_of(found, "stiffness")
 
 
 def _pressure(r: Array, d: Array, a: Array, E_star: Array, nu: Array, thickness: Array, base: str) -> Array:
     found = _contact(a, nu, thickness, base)
-    return normal._pressure(r, d, a, E_star) * found.of("edge") + E_star * d * found.pressure(r)
+    return normal._pressure(r, d, a, E_star) * number_of(found, "edge") + E_star * d * added_pressure(found, r)
 
 
 def _depth_from_force(F: Array, a: Array, E_star: Array, nu: Array, thickness: Array, base: str) -> Array:
     found = _contact(a, nu, thickness, base)
-    return F / (E_star * found.of("stiffness"))
+    return F / (E_star * number_of(found, "stiffness"))

@@ -156,7 +156,8 @@ def earlier_time_maxwell(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -210,7 +211,8 @@ def contact_time_maxwell(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -279,7 +281,8 @@ def retract_force_maxwell(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -352,7 +355,8 @@ def retract_radius_maxwell(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -576,7 +580,8 @@ def earlier_time_kelvin_voigt(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -630,7 +635,8 @@ def contact_time_kelvin_voigt(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -698,7 +704,8 @@ def retract_force_kelvin_voigt(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -771,7 +778,8 @@ def retract_radius_kelvin_voigt(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -1001,7 +1009,8 @@ def earlier_time_standard_solid(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -1068,7 +1077,8 @@ def contact_time_standard_solid(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -1143,7 +1153,8 @@ def retract_force_standard_solid(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -1231,7 +1242,8 @@ def retract_radius_standard_solid(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -1480,7 +1492,8 @@ def earlier_time_power_creep(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1547,7 +1560,8 @@ def contact_time_power_creep(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1620,7 +1634,8 @@ def retract_force_power_creep(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1698,7 +1713,8 @@ def retract_radius_power_creep(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like

@@ -156,7 +156,8 @@ def earlier_time_maxwell(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -210,7 +211,8 @@ def contact_time_maxwell(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -276,7 +278,8 @@ def retract_force_maxwell(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -343,7 +346,8 @@ def retract_radius_maxwell(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -551,7 +555,8 @@ def earlier_time_kelvin_voigt(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -605,7 +610,8 @@ def contact_time_kelvin_voigt(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -670,7 +676,8 @@ def retract_force_kelvin_voigt(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -737,7 +744,8 @@ def retract_radius_kelvin_voigt(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -955,7 +963,8 @@ def earlier_time_standard_solid(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -1022,7 +1031,8 @@ def contact_time_standard_solid(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -1094,7 +1104,8 @@ def retract_force_standard_solid(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -1168,7 +1179,8 @@ def retract_radius_standard_solid(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -1396,7 +1408,8 @@ def earlier_time_power_creep(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1463,7 +1476,8 @@ def contact_time_power_creep(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1534,7 +1548,8 @@ def retract_force_power_creep(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1606,7 +1621,8 @@ def retract_radius_power_creep(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like

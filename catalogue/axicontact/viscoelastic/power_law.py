@@ -161,7 +161,8 @@ def earlier_time_maxwell(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -215,7 +216,8 @@ def contact_time_maxwell(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -285,7 +287,8 @@ def retract_force_maxwell(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -357,7 +360,8 @@ def retract_radius_maxwell(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -581,7 +585,8 @@ def earlier_time_kelvin_voigt(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -635,7 +640,8 @@ def contact_time_kelvin_voigt(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -704,7 +710,8 @@ def retract_force_kelvin_voigt(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -776,7 +783,8 @@ def retract_radius_kelvin_voigt(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -1006,7 +1014,8 @@ def earlier_time_standard_solid(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -1073,7 +1082,8 @@ def contact_time_standard_solid(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -1150,7 +1160,8 @@ def retract_force_standard_solid(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -1227,7 +1238,8 @@ def retract_radius_standard_solid(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -1464,7 +1476,8 @@ def earlier_time_power_creep(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1531,7 +1544,8 @@ def contact_time_power_creep(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1606,7 +1620,8 @@ def retract_force_power_creep(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1683,7 +1698,8 @@ def retract_radius_power_creep(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like

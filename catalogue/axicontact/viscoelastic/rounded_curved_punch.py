@@ -162,7 +162,8 @@ def earlier_time_maxwell(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -216,7 +217,8 @@ def contact_time_maxwell(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -292,7 +294,8 @@ def retract_force_maxwell(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -369,7 +372,8 @@ def retract_radius_maxwell(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -607,7 +611,8 @@ def earlier_time_kelvin_voigt(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -663,7 +668,8 @@ def contact_time_kelvin_voigt(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -735,7 +741,8 @@ def retract_force_kelvin_voigt(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -812,7 +819,8 @@ def retract_radius_kelvin_voigt(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -1070,7 +1078,8 @@ def earlier_time_standard_solid(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -1137,7 +1146,8 @@ def contact_time_standard_solid(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -1213,7 +1223,8 @@ def retract_force_standard_solid(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -1307,7 +1318,8 @@ def retract_radius_standard_solid(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -1600,7 +1612,8 @@ def earlier_time_power_creep(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1667,7 +1680,8 @@ def contact_time_power_creep(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1743,7 +1757,8 @@ def retract_force_power_creep(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1825,7 +1840,8 @@ def retract_radius_power_creep(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like

@@ -157,7 +157,8 @@ def earlier_time_maxwell(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -211,7 +212,8 @@ def contact_time_maxwell(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -279,7 +281,8 @@ def retract_force_maxwell(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -356,7 +359,8 @@ def retract_radius_maxwell(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     tau : array_like
@@ -594,7 +598,8 @@ def earlier_time_kelvin_voigt(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -648,7 +653,8 @@ def contact_time_kelvin_voigt(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -720,7 +726,8 @@ def retract_force_kelvin_voigt(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -797,7 +804,8 @@ def retract_radius_kelvin_voigt(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     eta : array_like
@@ -1038,7 +1046,8 @@ def earlier_time_standard_solid(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -1105,7 +1114,8 @@ def contact_time_standard_solid(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -1178,7 +1188,8 @@ def retract_force_standard_solid(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -1270,7 +1281,8 @@ def retract_radius_standard_solid(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E_inf : array_like
         Long-time effective modulus [Pa], E_inf > 0.
     E_1 : array_like
@@ -1531,7 +1543,8 @@ def earlier_time_power_creep(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1598,7 +1611,8 @@ def contact_time_power_creep(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1671,7 +1685,8 @@ def retract_force_power_creep(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like
@@ -1753,7 +1768,8 @@ def retract_radius_power_creep(
     t_m : array_like
         Time at which the indenter stops [s], t_m > 0.
     t_h : array_like, optional
-        Time at which it goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not given.
+        Time at which the indenter goes back, held at v t_m until then [s], t_h >= t_m; t_m if it is not
+        given.
     E : array_like
         Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
     alpha : array_like

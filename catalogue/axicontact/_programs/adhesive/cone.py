@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import atan, atan2, log1p, sqrt, tan
+from math import atan, atan2, log1p, nan, sqrt, tan
 
 import numpy as np
 
@@ -16,6 +16,9 @@ C3 = np.array(2.0)
 C4 = np.array(0.6366197723675814)
 C5 = np.array(1.0)
 C6 = np.array(0.0)
+C7 = np.array(np.nan)
+C8 = np.array(3.0)
+C9 = np.array(25.132741228718345)
 
 
 def depth(a, theta, E_star, dgamma):
@@ -536,6 +539,62 @@ def radius_from_force(F, theta, E_star, dgamma):
     return None
 
 
+def work_of_adhesion_from_pull_off(F, theta, E_star):
+    if F.__class__ is theta.__class__ is E_star.__class__ is float and F > -1e+30 and (F < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            if F == 0.0:
+                value = 0.0
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            v7 = -F if F < 0.0 else nan
+            v9 = 3.0 * v7
+            v17 = sqrt(2.0 * v9 / (3.141592653589793 * E_star * tan(theta)))
+            v20 = (v7 + v9) / v17
+            value = v20 * v20 / (25.132741228718345 * E_star * v17)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_work_of_adhesion_from_pull_off_all_signed():
+    return ()
+
+
+def block_work_of_adhesion_from_pull_off_all_signed(out, F, theta, E_star, t0, t1, t2, t3, t4, m0, m1):
+    size = out.size
+    np.equal(F, C6, m0)
+    some26 = np.count_nonzero(m0)
+    if some26:
+        np.copyto(out, C6)
+    if some26 != size:
+        other26 = t0 if some26 else out
+        np.less(F, C6, m1)
+        some7 = np.count_nonzero(m1)
+        if some7:
+            np.negative(F, other26)
+        if some7 != size:
+            np.copyto(other26, C7, where=~m1)
+        np.multiply(C8, other26, t1)
+        np.multiply(C3, t1, t2)
+        np.multiply(C0, E_star, t3)
+        np.tan(theta, t4)
+        np.multiply(t3, t4, t4)
+        np.divide(t2, t4, t4)
+        np.sqrt(t4, t4)
+        np.add(other26, t1, t1)
+        np.divide(t1, t4, t1)
+        np.square(t1, t1)
+        np.multiply(C9, E_star, other26)
+        np.multiply(other26, t4, t4)
+        np.divide(t1, t4, other26)
+        if some26:
+            np.copyto(out, other26, where=~m0)
+
+
 BLOCKS = {
     ('_depth', 1, 'a', 'theta', 'E_star', 'dgamma'): {
         ('a',): (('a',), prepare_depth_a, block_depth_a, 1, 0, (), False),
@@ -554,5 +613,8 @@ BLOCKS = {
         ('r',): (('r',), prepare_pressure_r, block_pressure_r, 3, 1, (0.0,), False),
         ('r', 'a'): (('r', 'a'), prepare_pressure_r_a, block_pressure_r_a, 5, 2, (0.0,), False),
         ('r', 'a', 'theta', 'E_star', 'dgamma'): (('r', 'a', 'theta', 'E_star', 'dgamma'), prepare_pressure_all, block_pressure_all, 5, 2, (0.0,), False),
+    },
+    ('_work_of_adhesion_from_pull_off', 0, 'F', 'theta', 'E_star'): {
+        ('F', 'theta', 'E_star'): (('F', 'theta', 'E_star'), prepare_work_of_adhesion_from_pull_off_all_signed, block_work_of_adhesion_from_pull_off_all_signed, 5, 2, (), False),
     },
 }

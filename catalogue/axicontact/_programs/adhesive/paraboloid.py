@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import atan2, sqrt
+from math import atan2, cbrt, nan, sqrt
 
 import numpy as np
 
@@ -35,6 +35,8 @@ C22 = np.array(3.141592653589793)
 C23 = np.array(4.0)
 C24 = np.array(3.0)
 C25 = np.array(0.0)
+C26 = np.array(np.nan)
+C27 = np.array(25.132741228718345)
 
 
 def depth(a, R, E_star, dgamma):
@@ -657,6 +659,59 @@ def radius_from_force(F, R, E_star, dgamma):
     return None
 
 
+def work_of_adhesion_from_pull_off(F, R, E_star):
+    if F.__class__ is R.__class__ is E_star.__class__ is float and F > -1e+30 and (F < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            if F == 0.0:
+                value = 0.0
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            v7 = -F if F < 0.0 else nan
+            v14 = cbrt(3.0 * R / (4.0 * E_star) * v7)
+            v17 = (v7 + v7) / v14
+            value = v17 * v17 / (25.132741228718345 * E_star * v14)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_work_of_adhesion_from_pull_off_all_signed():
+    return ()
+
+
+def block_work_of_adhesion_from_pull_off_all_signed(out, F, R, E_star, t0, t1, t2, m0, m1):
+    size = out.size
+    np.equal(F, C25, m0)
+    some24 = np.count_nonzero(m0)
+    if some24:
+        np.copyto(out, C25)
+    if some24 != size:
+        other24 = t0 if some24 else out
+        np.less(F, C25, m1)
+        some7 = np.count_nonzero(m1)
+        if some7:
+            np.negative(F, other24)
+        if some7 != size:
+            np.copyto(other24, C26, where=~m1)
+        np.multiply(C24, R, t1)
+        np.multiply(C23, E_star, t2)
+        np.divide(t1, t2, t2)
+        np.multiply(t2, other24, t2)
+        np.cbrt(t2, t2)
+        np.add(other24, other24, other24)
+        np.divide(other24, t2, other24)
+        np.square(other24, other24)
+        np.multiply(C27, E_star, t1)
+        np.multiply(t1, t2, t2)
+        np.divide(other24, t2, other24)
+        if some24:
+            np.copyto(out, other24, where=~m0)
+
+
 BLOCKS = {
     ('_depth', 1, 'a', 'R', 'E_star', 'dgamma'): {
         ('a',): (('a',), prepare_depth_a, block_depth_a, 1, 0, (), False),
@@ -675,5 +730,8 @@ BLOCKS = {
         ('r',): (('r',), prepare_pressure_r, block_pressure_r, 3, 1, (0.0,), False),
         ('r', 'a'): (('r', 'a'), prepare_pressure_r_a, block_pressure_r_a, 5, 2, (0.0,), False),
         ('r', 'a', 'R', 'E_star', 'dgamma'): (('r', 'a', 'R', 'E_star', 'dgamma'), prepare_pressure_all, block_pressure_all, 5, 2, (0.0,), False),
+    },
+    ('_work_of_adhesion_from_pull_off', 0, 'F', 'R', 'E_star'): {
+        ('F', 'R', 'E_star'): (('F', 'R', 'E_star'), prepare_work_of_adhesion_from_pull_off_all_signed, block_work_of_adhesion_from_pull_off_all_signed, 3, 2, (), False),
     },
 }

@@ -95,3 +95,16 @@ def radius_from_force(F, E_star, dgamma, A):
         except (ArithmeticError, ValueError):
             pass
     return None
+
+
+def work_of_adhesion_from_pull_off(F, E_star, A):
+    if F.__class__ is E_star.__class__ is float and F > -1e+30 and (F < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and all([x.__class__ is float and (x == 0.0 or 1e-30 < x < 1e+30) for x in A]):
+        try:
+            value = bodies._work_of_adhesion_from_pull_off(F, A, E_star)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if (value != value or value == 0.0) and ordinary(F, E_star):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None

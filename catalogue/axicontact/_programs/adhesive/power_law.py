@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import atan2, exp, expm1, fsum, inf, isfinite, log, log1p, pow, sqrt
+from math import atan2, exp, expm1, fsum, inf, isfinite, log, log1p, nan, pow, sqrt
 
 import numpy as np
 
@@ -32,6 +32,11 @@ C18 = np.array(1.7724538509055159)
 C19 = np.array(6.283185307179586)
 C20 = np.array(3.5449077018110318)
 C21 = np.array(2.0)
+C22 = np.array(0.0)
+C23 = np.array(np.nan)
+C24 = np.array(3.0)
+C25 = np.array(np.inf)
+C26 = np.array(25.132741228718345)
 RULE_0 = rule(((inf, 64),))
 RULE_1 = rule(((16.0, 64), (inf, 128)))
 
@@ -528,6 +533,141 @@ def radius_from_force(F, A, n, E_star, dgamma):
     return None
 
 
+def work_of_adhesion_from_pull_off(F, A, n, E_star):
+    if F.__class__ is A.__class__ is n.__class__ is E_star.__class__ is float and F > -1e+30 and (F < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            if F == 0.0:
+                value = 0.0
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            v8 = -F if F < 0.0 else nan
+            v15 = 3.0 * v8 / (2.0 * n - 1.0)
+            v18 = n / 2.0 + 0.5
+            v20 = v18 + 1.75
+            v24 = (v18 + 0.5) * (v18 + 1.5)
+            v37 = 1.0 / (v20 * v20)
+            v79 = n + 1.0
+            v86 = v79 * v15 / (3.5449077018110318 * E_star * n * A * ((v18 * (v18 + 1.0) / v24 if v18 < 1.0 else 1.0 - (v18 + 0.75) / v24) * sqrt(v20) * (1.0 + v37 * (((((((0.01524698625788054 * v37 + 0.5334320651111477) * v37 + 2.250488865813539) * v37 + 2.8612106440066865) * v37 + 1.3794681629043655) * v37 + 0.2596058532893223) * v37 + 0.015624999999999823) / ((((((3.278794792785737 * v37 + 49.328555418276075) * v37 + 167.28648538571198) * v37 + 195.37226190335065) * v37 + 90.69722535867314) * v37 + 16.763212110504565) * v37 + 1.0)))))
+            v88 = pow(v86, 1.0 / v79)
+            v101 = v88 + v88 * ((v86 / (pow(v88, n) * pow(v88, 1.0)) - 1.0) / v79) if v86 > 0.0 and v86 < inf else v88
+            v104 = (v8 + v15) / v101
+            value = v104 * v104 / (25.132741228718345 * E_star * v101)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_work_of_adhesion_from_pull_off_all_signed():
+    return ()
+
+
+def block_work_of_adhesion_from_pull_off_all_signed(out, F, A, n, E_star, t0, t1, t2, t3, t4, t5, t6, m0, m1, m2):
+    size = out.size
+    np.equal(F, C22, m0)
+    some110 = np.count_nonzero(m0)
+    if some110:
+        np.copyto(out, C22)
+    if some110 != size:
+        other110 = t0 if some110 else out
+        np.less(F, C22, m1)
+        some8 = np.count_nonzero(m1)
+        if some8:
+            np.negative(F, other110)
+        if some8 != size:
+            np.copyto(other110, C23, where=~m1)
+        np.multiply(C24, other110, t1)
+        np.multiply(C21, n, t2)
+        np.subtract(t2, C3, t2)
+        np.divide(t1, t2, t2)
+        np.multiply(n, C0, t1)
+        np.add(t1, C0, t1)
+        np.add(t1, C1, t3)
+        np.add(t1, C0, t4)
+        np.add(t1, C2, t5)
+        np.multiply(t4, t5, t5)
+        np.less(t1, C3, m1)
+        some33 = np.count_nonzero(m1)
+        if some33:
+            np.add(t1, C3, t4)
+            np.multiply(t1, t4, t4)
+            np.divide(t4, t5, t4)
+        if some33 != size:
+            other33 = t6 if some33 else t4
+            np.add(t1, C4, other33)
+            np.divide(other33, t5, other33)
+            np.subtract(C3, other33, other33)
+            if some33:
+                np.copyto(t4, other33, where=~m1)
+        np.sqrt(t3, t5)
+        np.multiply(t4, t5, t5)
+        np.multiply(t3, t3, t3)
+        np.divide(C3, t3, t3)
+        np.multiply(C5, t3, t4)
+        np.add(t4, C6, t4)
+        np.multiply(t4, t3, t4)
+        np.add(t4, C7, t4)
+        np.multiply(t4, t3, t4)
+        np.add(t4, C8, t4)
+        np.multiply(t4, t3, t4)
+        np.add(t4, C9, t4)
+        np.multiply(t4, t3, t4)
+        np.add(t4, C10, t4)
+        np.multiply(t4, t3, t4)
+        np.add(t4, C11, t4)
+        np.multiply(C12, t3, t1)
+        np.add(t1, C13, t1)
+        np.multiply(t1, t3, t1)
+        np.add(t1, C14, t1)
+        np.multiply(t1, t3, t1)
+        np.add(t1, C15, t1)
+        np.multiply(t1, t3, t1)
+        np.add(t1, C16, t1)
+        np.multiply(t1, t3, t1)
+        np.add(t1, C17, t1)
+        np.multiply(t1, t3, t1)
+        np.add(t1, C3, t1)
+        np.divide(t4, t1, t1)
+        np.multiply(t3, t1, t1)
+        np.add(C3, t1, t1)
+        np.multiply(t5, t1, t1)
+        np.add(n, C3, t5)
+        np.multiply(t5, t2, t3)
+        np.multiply(C20, E_star, t4)
+        np.multiply(t4, n, t4)
+        np.multiply(t4, A, t4)
+        np.multiply(t4, t1, t1)
+        np.divide(t3, t1, t1)
+        np.divide(C3, t5, t3)
+        np.power(t1, t3, t3)
+        np.greater(t1, C22, m1)
+        np.less(t1, C25, m2)
+        np.bitwise_and(m1, m2, m2)
+        some101 = np.count_nonzero(m2)
+        if some101:
+            np.power(t3, n, t4)
+            np.power(t3, C3, t6)
+            np.multiply(t4, t6, t6)
+            np.divide(t1, t6, t6)
+            np.subtract(t6, C3, t6)
+            np.divide(t6, t5, t6)
+            np.multiply(t3, t6, t6)
+            np.add(t3, t6, t4)
+        if some101 != size:
+            np.copyto(t4, t3, where=~m2)
+        np.add(other110, t2, t2)
+        np.divide(t2, t4, t2)
+        np.square(t2, t2)
+        np.multiply(C26, E_star, other110)
+        np.multiply(other110, t4, t4)
+        np.divide(t2, t4, other110)
+        if some110:
+            np.copyto(out, other110, where=~m0)
+
+
 BLOCKS = {
     ('_depth', 1, 'a', 'A', 'n', 'E_star', 'dgamma'): {
         ('a',): (('a',), prepare_depth_a, block_depth_a, 1, 0, (), False),
@@ -536,5 +676,8 @@ BLOCKS = {
     ('_force', 1, 'a', 'A', 'n', 'E_star', 'dgamma'): {
         ('a',): (('a',), prepare_force_a, block_force_a, 2, 0, (), False),
         ('a', 'A', 'n', 'E_star', 'dgamma'): (('a', 'A', 'n', 'E_star', 'dgamma'), prepare_force_all, block_force_all, 4, 1, (), False),
+    },
+    ('_work_of_adhesion_from_pull_off', 0, 'F', 'A', 'n', 'E_star'): {
+        ('F', 'A', 'n', 'E_star'): (('F', 'A', 'n', 'E_star'), prepare_work_of_adhesion_from_pull_off_all_signed, block_work_of_adhesion_from_pull_off_all_signed, 7, 3, (), False),
     },
 }

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import atan2, pow, sqrt
+from math import atan2, inf, nan, pow, sqrt
 
 import numpy as np
 
@@ -45,6 +45,11 @@ C32 = np.array(3.141592653589793)
 C33 = np.array(3.0)
 C34 = np.array(4.0)
 C35 = np.array(78.53981633974483)
+C36 = np.array(np.nan)
+C37 = np.array(11.0)
+C38 = np.array(0.14285714285714285)
+C39 = np.array(np.inf)
+C40 = np.array(25.132741228718345)
 
 
 def depth(a, A, E_star, dgamma):
@@ -711,6 +716,79 @@ def radius_from_force(F, A, E_star, dgamma):
     return None
 
 
+def work_of_adhesion_from_pull_off(F, A, E_star):
+    if F.__class__ is A.__class__ is E_star.__class__ is float and F > -1e+30 and (F < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            if F == 0.0:
+                value = 0.0
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            v7 = -F if F < 0.0 else nan
+            v11 = 3.0 * v7 / 11.0
+            v17 = 35.0 * v11 / (192.0 * E_star * A)
+            v19 = pow(v17, 0.14285714285714285)
+            v34 = v19 + v19 * ((v17 / (pow(v19, 7.0) * pow(v19, 0.0)) - 1.0) / 7.0) if v17 > 0.0 and v17 < inf else v19
+            v37 = (v7 + v11) / v34
+            value = v37 * v37 / (25.132741228718345 * E_star * v34)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_work_of_adhesion_from_pull_off_all_signed():
+    return ()
+
+
+def block_work_of_adhesion_from_pull_off_all_signed(out, F, A, E_star, t0, t1, t2, t3, t4, t5, m0, m1, m2):
+    size = out.size
+    np.equal(F, C31, m0)
+    some44 = np.count_nonzero(m0)
+    if some44:
+        np.copyto(out, C31)
+    if some44 != size:
+        other44 = t0 if some44 else out
+        np.less(F, C31, m1)
+        some7 = np.count_nonzero(m1)
+        if some7:
+            np.negative(F, other44)
+        if some7 != size:
+            np.copyto(other44, C36, where=~m1)
+        np.multiply(C33, other44, t1)
+        np.divide(t1, C37, t1)
+        np.multiply(C28, t1, t2)
+        np.multiply(C27, E_star, t3)
+        np.multiply(t3, A, t3)
+        np.divide(t2, t3, t3)
+        np.power(t3, C38, t2)
+        np.greater(t3, C31, m1)
+        np.less(t3, C39, m2)
+        np.bitwise_and(m1, m2, m2)
+        some34 = np.count_nonzero(m2)
+        if some34:
+            np.power(t2, C26, t4)
+            np.power(t2, C31, t5)
+            np.multiply(t4, t5, t5)
+            np.divide(t3, t5, t5)
+            np.subtract(t5, C21, t5)
+            np.divide(t5, C26, t5)
+            np.multiply(t2, t5, t5)
+            np.add(t2, t5, t4)
+        if some34 != size:
+            np.copyto(t4, t2, where=~m2)
+        np.add(other44, t1, t1)
+        np.divide(t1, t4, t1)
+        np.square(t1, t1)
+        np.multiply(C40, E_star, other44)
+        np.multiply(other44, t4, t4)
+        np.divide(t1, t4, other44)
+        if some44:
+            np.copyto(out, other44, where=~m0)
+
+
 BLOCKS = {
     ('_depth', 1, 'a', 'A', 'E_star', 'dgamma'): {
         ('a',): (('a',), prepare_depth_a, block_depth_a, 1, 0, (), False),
@@ -729,5 +807,8 @@ BLOCKS = {
         ('r',): (('r',), prepare_pressure_r, block_pressure_r, 4, 1, (0.0,), False),
         ('r', 'a'): (('r', 'a'), prepare_pressure_r_a, block_pressure_r_a, 5, 2, (0.0,), False),
         ('r', 'a', 'A', 'E_star', 'dgamma'): (('r', 'a', 'A', 'E_star', 'dgamma'), prepare_pressure_all, block_pressure_all, 6, 2, (0.0,), False),
+    },
+    ('_work_of_adhesion_from_pull_off', 0, 'F', 'A', 'E_star'): {
+        ('F', 'A', 'E_star'): (('F', 'A', 'E_star'), prepare_work_of_adhesion_from_pull_off_all_signed, block_work_of_adhesion_from_pull_off_all_signed, 6, 3, (), False),
     },
 }

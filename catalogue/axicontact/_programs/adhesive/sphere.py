@@ -877,6 +877,19 @@ def radius_from_force(F, R, E_star, dgamma):
     return None
 
 
+def work_of_adhesion_from_pull_off(F, R, E_star):
+    if F.__class__ is R.__class__ is E_star.__class__ is float and F > -1e+30 and (F < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            value = bodies._work_of_adhesion_from_pull_off(F, R, E_star)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if (value != value or value == 0.0) and ordinary(F, R, E_star):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
 BLOCKS = {
     ('_depth', 1, 'a', 'R', 'E_star', 'dgamma'): {
         ('a',): (('a',), prepare_depth_a, block_depth_a, 1, 0, (), False),

@@ -10,8 +10,8 @@ from ..._runtime.interface import largest, ordinary
 from ..._runtime.plain import rule
 from ..._programs.bodies.cohesive import capped_paraboloid as bodies
 
-C0 = np.array(2.0)
-C1 = np.array(3.0)
+C0 = np.array(3.0)
+C1 = np.array(2.0)
 C2 = np.array(4.0)
 RULE_0 = rule(((inf, 16),))
 RULE_1 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
@@ -85,120 +85,13 @@ def force_of(a, q, R1, R2, b, E_star, dgamma, sigma_0):
     return None
 
 
-def prepare_force_of_a(q, R1, R2, b, E_star, dgamma, sigma_0):
-    v8 = (4.0) * E_star
-    v10 = (3.0) * R1
-    v11 = v8 / v10
-    v20 = (2.0) * E_star
-    v21 = v20 / v10
-    v23 = R1 - R2
-    v24 = v23 / R2
-    v26 = np.square(b)
-    v35 = (2.0) * sigma_0
-    return (q, b, v11, v21, v24, v26, v35)
-
-
-def block_force_of_a(out, a, q, b, v11, v21, v24, v26, v35, t0, t1, t2, t3, t4, m0):
-    size = out.size
-    np.square(a, out)
-    largest_a = largest(a)
-    if largest_a == np.inf:
-        raise FloatingPointError
-    np.multiply(a, out, t0)
-    np.less(a, b, m0)
-    some33 = np.count_nonzero(m0)
-    if some33:
-        np.multiply(v11, t0, t1)
-    if some33 != size:
-        other33 = t2 if some33 else t1
-        np.subtract(a, b, other33)
-        np.add(a, b, t3)
-        np.multiply(other33, t3, t3)
-        np.sqrt(t3, t3)
-        np.multiply(C0, t0, other33)
-        np.multiply(C0, out, t4)
-        np.add(t4, v26, t4)
-        np.multiply(v24, t4, t4)
-        np.multiply(t4, t3, t3)
-        np.add(other33, t3, t3)
-        np.multiply(v21, t3, other33)
-        if some33:
-            np.copyto(t1, other33, where=~m0)
-    np.hypot(a, q, t0)
-    np.multiply(t0, t0, t0)
-    np.arctan2(q, a, out)
-    np.multiply(t0, out, out)
-    np.multiply(a, q, t0)
-    np.add(out, t0, t0)
-    np.multiply(v35, t0, t0)
-    np.subtract(t1, t0, out)
-
-
-def prepare_force_of_a_q(R1, R2, b, E_star, dgamma, sigma_0):
-    v8 = (4.0) * E_star
-    v10 = (3.0) * R1
-    v11 = v8 / v10
-    v20 = (2.0) * E_star
-    v21 = v20 / v10
-    v23 = R1 - R2
-    v24 = v23 / R2
-    v26 = np.square(b)
-    v35 = (2.0) * sigma_0
-    return (b, v11, v21, v24, v26, v35)
-
-
-def block_force_of_a_q(out, a, q, b, v11, v21, v24, v26, v35, t0, t1, t2, t3, t4, m0):
-    size = out.size
-    np.square(a, out)
-    largest_a = largest(a)
-    if largest_a == np.inf:
-        raise FloatingPointError
-    largest_q = largest(q)
-    if largest_q == np.inf:
-        raise FloatingPointError
-    np.multiply(a, out, t0)
-    np.less(a, b, m0)
-    some33 = np.count_nonzero(m0)
-    if some33:
-        np.multiply(v11, t0, t1)
-    if some33 != size:
-        other33 = t2 if some33 else t1
-        np.subtract(a, b, other33)
-        np.add(a, b, t3)
-        np.multiply(other33, t3, t3)
-        np.sqrt(t3, t3)
-        np.multiply(C0, t0, other33)
-        np.multiply(C0, out, t4)
-        np.add(t4, v26, t4)
-        np.multiply(v24, t4, t4)
-        np.multiply(t4, t3, t3)
-        np.add(other33, t3, t3)
-        np.multiply(v21, t3, other33)
-        if some33:
-            np.copyto(t1, other33, where=~m0)
-    np.hypot(a, q, t0)
-    np.multiply(t0, t0, t0)
-    np.arctan2(q, a, out)
-    np.multiply(t0, out, out)
-    np.multiply(a, q, t0)
-    np.add(out, t0, t0)
-    np.multiply(v35, t0, t0)
-    np.subtract(t1, t0, out)
-
-
-def prepare_force_of_all():
+def prepare_force_of_all_signed():
     return ()
 
 
-def block_force_of_all(out, a, q, R1, R2, b, E_star, dgamma, sigma_0, t0, t1, t2, t3, t4, t5, t6, t7, t8, m0):
+def block_force_of_all_signed(out, a, q, R1, R2, b, E_star, dgamma, sigma_0, t0, t1, t2, t3, t4, t5, t6, t7, t8, m0):
     size = out.size
-    np.multiply(C1, R1, out)
-    largest_a = largest(a)
-    if largest_a == np.inf:
-        raise FloatingPointError
-    largest_q = largest(q)
-    if largest_q == np.inf:
-        raise FloatingPointError
+    np.multiply(C0, R1, out)
     np.square(a, t0)
     np.multiply(a, t0, t1)
     np.less(a, b, m0)
@@ -213,12 +106,12 @@ def block_force_of_all(out, a, q, R1, R2, b, E_star, dgamma, sigma_0, t0, t1, t2
         np.add(a, b, t4)
         np.multiply(other33, t4, t4)
         np.sqrt(t4, t4)
-        np.multiply(C0, E_star, other33)
+        np.multiply(C1, E_star, other33)
         np.divide(other33, out, other33)
-        np.multiply(C0, t1, t5)
+        np.multiply(C1, t1, t5)
         np.subtract(R1, R2, t6)
         np.divide(t6, R2, t6)
-        np.multiply(C0, t0, t7)
+        np.multiply(C1, t0, t7)
         np.square(b, t8)
         np.add(t7, t8, t8)
         np.multiply(t6, t8, t8)
@@ -228,7 +121,7 @@ def block_force_of_all(out, a, q, R1, R2, b, E_star, dgamma, sigma_0, t0, t1, t2
         if some33:
             np.copyto(t2, other33, where=~m0)
     np.hypot(a, q, t1)
-    np.multiply(C0, sigma_0, t0)
+    np.multiply(C1, sigma_0, t0)
     np.multiply(t1, t1, t1)
     np.arctan2(q, a, out)
     np.multiply(t1, out, out)
@@ -252,12 +145,12 @@ def pressure(r, a, R1, R2, b, E_star, dgamma, sigma_0):
 
 
 def pull_off_depth(a, q, R1, R2, b, E_star, dgamma, sigma_0):
-    if a.__class__ is q.__class__ is R1.__class__ is R2.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (q > 1e-30) and (q < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+    if a.__class__ is q.__class__ is R1.__class__ is R2.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > -1e+30 and (a < 1e+30) and (q > -1e+30) and (q < 1e+30) and (R1 > -1e+30) and (R1 < 1e+30) and (R2 > -1e+30) and (R2 < 1e+30) and (b > -1e+30) and (b < 1e+30) and (E_star > -1e+30) and (E_star < 1e+30) and (dgamma > -1e+30) and (dgamma < 1e+30) and (sigma_0 > -1e+30) and (sigma_0 < 1e+30):
         try:
             value = bodies._pull_off_depth(a, q, R1, R2, b, E_star, dgamma, sigma_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, q, R1, R2, b, E_star, dgamma, sigma_0):
+            if (value != value or value == 0.0) and ordinary(a, q, R1, R2, b, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -278,12 +171,12 @@ def pull_off_radius(R1, R2, b, E_star, dgamma, sigma_0, control):
 
 
 def pull_off_zone(a, R1, R2, b, E_star, dgamma, sigma_0):
-    if a.__class__ is R1.__class__ is R2.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+    if a.__class__ is R1.__class__ is R2.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > -1e+30 and (a < 1e+30) and (R1 > -1e+30) and (R1 < 1e+30) and (R2 > -1e+30) and (R2 < 1e+30) and (b > -1e+30) and (b < 1e+30) and (E_star > -1e+30) and (E_star < 1e+30) and (dgamma > -1e+30) and (dgamma < 1e+30) and (sigma_0 > -1e+30) and (sigma_0 < 1e+30):
         try:
             value = bodies._pull_off_zone(a, R1, R2, b, E_star, dgamma, sigma_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, R1, R2, b, E_star, dgamma, sigma_0):
+            if (value != value or value == 0.0) and ordinary(a, R1, R2, b, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -332,50 +225,51 @@ def without_contact_depth(c, R1, R2, b, E_star, dgamma, sigma_0):
             else:
                 v27 = v9
             v28 = v9 - v27
-            v41 = []
+            v42 = []
             for node, weight in RULE_0(v28 / 1.0):
                 v30 = node * v28
                 v31 = v27 + v30
-                v39 = 2.0 * (v8 * cos(v31)) / R1 * v31 * sin(v31)
-                v41.append(weight * v39)
-            v41 = fsum(v41) * v28
-            v57 = 0.0 - b
-            v61 = sqrt((v57 if v57 > 0.0 or v57 != v57 else 0.0) * (0.0 + b))
-            v63 = v20 if v10 else hypot(v61, c)
-            v64 = v63 if v10 else c
-            v65 = v64 > 0.0
-            if v65:
-                v66 = v63 if v65 else b
-                v67 = v64 if v65 else b
-                v69 = asinh(b / v66)
-                v73 = 1.5707963267948966 / v69
-                v74 = atan2(v61, v67) / v69
-                v75 = asinh(v73)
-                v89 = asinh(atan2(v67, v61) / v69 * (v73 + v74) / (v73 * sqrt(1.0 + v74 * v74) + v74 * sqrt(1.0 + v73 * v73)))
-                v91 = 2.0 * v69
-                v103 = b * b
-                v109 = R1 - R2
-                v111 = R1 * R2
-                v112 = 2.0 * v109 / v111
-                v116 = b * b * v109
-                v130 = []
-                for node, weight in RULE_1(v89 / 1.0):
-                    v90 = node * v89
-                    v93 = 0.5 * v90
-                    v98 = v91 * cosh(v75 - v93) * sinh(v93)
-                    v100 = v66 * cos(v98)
-                    v102 = v66 * sin(v98)
-                    v106 = sqrt(v103 + v100 * v100)
-                    v128 = (2.0 * v106 / R1 + v112 * v100 + v116 / (v111 * v100)) * v100 * v69 * cosh(v75 - v90) * atan2(v102, v106) * (v102 / v106)
-                    v130.append(weight * v128)
-                v130 = fsum(v130) * v89
-                v164 = 0.6366197723675814 * v130
+                v33 = v8 * cos(v31)
+                v40 = 2.0 * (v33 if v33 < b or v33 != v33 else b) / R1 * v31 * sin(v31)
+                v42.append(weight * v40)
+            v42 = fsum(v42) * v28
+            v59 = 0.0 - b
+            v63 = sqrt((v59 if v59 > 0.0 or v59 != v59 else 0.0) * (0.0 + b))
+            v65 = v20 if v10 else hypot(v63, c)
+            v66 = v65 if v10 else c
+            v67 = v66 > 0.0
+            if v67:
+                v68 = v65 if v67 else b
+                v69 = v66 if v67 else b
+                v71 = asinh(b / v68)
+                v75 = 1.5707963267948966 / v71
+                v76 = atan2(v63, v69) / v71
+                v77 = asinh(v75)
+                v91 = asinh(atan2(v69, v63) / v71 * (v75 + v76) / (v75 * sqrt(1.0 + v76 * v76) + v76 * sqrt(1.0 + v75 * v75)))
+                v93 = 2.0 * v71
+                v105 = b * b
+                v111 = R1 - R2
+                v113 = R1 * R2
+                v114 = 2.0 * v111 / v113
+                v118 = b * b * v111
+                v132 = []
+                for node, weight in RULE_1(v91 / 1.0):
+                    v92 = node * v91
+                    v95 = 0.5 * v92
+                    v100 = v93 * cosh(v77 - v95) * sinh(v95)
+                    v102 = v68 * cos(v100)
+                    v104 = v68 * sin(v100)
+                    v108 = sqrt(v105 + v102 * v102)
+                    v130 = (2.0 * v108 / R1 + v114 * v102 + v118 / (v113 * v102)) * v102 * v71 * cosh(v77 - v92) * atan2(v104, v108) * (v104 / v108)
+                    v132.append(weight * v130)
+                v132 = fsum(v132) * v91
+                v166 = 0.6366197723675814 * v132
             else:
-                v164 = 0.0
-            v171 = sigma_0 / E_star
-            v175 = 0.6366197723675814 * v8 * v41 + v164 - dgamma / sigma_0 - 1.2732395447351628 * v171 * c
-            if v175 <= -(2.0 * v171 * c):
-                value = v175
+                v166 = 0.0
+            v173 = sigma_0 / E_star
+            v177 = 0.6366197723675814 * v8 * v42 + v166 - dgamma / sigma_0 - 1.2732395447351628 * v173 * c
+            if v177 <= -(2.0 * v173 * c):
+                value = v177
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 if value != value and ordinary(c, R1, R2, b, E_star, dgamma, sigma_0):
@@ -408,48 +302,49 @@ def without_contact_force(c, R1, R2, b, E_star, dgamma, sigma_0):
             else:
                 v27 = v9
             v28 = v9 - v27
-            v41 = []
+            v42 = []
             for node, weight in RULE_0(v28 / 1.0):
                 v30 = node * v28
                 v31 = v27 + v30
-                v39 = 2.0 * (v8 * cos(v31)) / R1 * v31 * sin(v31)
-                v41.append(weight * v39)
-            v41 = fsum(v41) * v28
-            v57 = 0.0 - b
-            v61 = sqrt((v57 if v57 > 0.0 or v57 != v57 else 0.0) * (0.0 + b))
-            v63 = v20 if v10 else hypot(v61, c)
-            v64 = v63 if v10 else c
-            v65 = v64 > 0.0
-            if v65:
-                v66 = v63 if v65 else b
-                v67 = v64 if v65 else b
-                v69 = asinh(b / v66)
-                v73 = 1.5707963267948966 / v69
-                v74 = atan2(v61, v67) / v69
-                v75 = asinh(v73)
-                v89 = asinh(atan2(v67, v61) / v69 * (v73 + v74) / (v73 * sqrt(1.0 + v74 * v74) + v74 * sqrt(1.0 + v73 * v73)))
-                v91 = 2.0 * v69
-                v103 = b * b
-                v109 = R1 - R2
-                v111 = R1 * R2
-                v112 = 2.0 * v109 / v111
-                v116 = b * b * v109
-                v130 = []
-                for node, weight in RULE_1(v89 / 1.0):
-                    v90 = node * v89
-                    v93 = 0.5 * v90
-                    v98 = v91 * cosh(v75 - v93) * sinh(v93)
-                    v100 = v66 * cos(v98)
-                    v102 = v66 * sin(v98)
-                    v106 = sqrt(v103 + v100 * v100)
-                    v128 = (2.0 * v106 / R1 + v112 * v100 + v116 / (v111 * v100)) * v100 * v69 * cosh(v75 - v90) * atan2(v102, v106) * (v102 / v106)
-                    v130.append(weight * v128)
-                v130 = fsum(v130) * v89
-                v164 = 0.6366197723675814 * v130
+                v33 = v8 * cos(v31)
+                v40 = 2.0 * (v33 if v33 < b or v33 != v33 else b) / R1 * v31 * sin(v31)
+                v42.append(weight * v40)
+            v42 = fsum(v42) * v28
+            v59 = 0.0 - b
+            v63 = sqrt((v59 if v59 > 0.0 or v59 != v59 else 0.0) * (0.0 + b))
+            v65 = v20 if v10 else hypot(v63, c)
+            v66 = v65 if v10 else c
+            v67 = v66 > 0.0
+            if v67:
+                v68 = v65 if v67 else b
+                v69 = v66 if v67 else b
+                v71 = asinh(b / v68)
+                v75 = 1.5707963267948966 / v71
+                v76 = atan2(v63, v69) / v71
+                v77 = asinh(v75)
+                v91 = asinh(atan2(v69, v63) / v71 * (v75 + v76) / (v75 * sqrt(1.0 + v76 * v76) + v76 * sqrt(1.0 + v75 * v75)))
+                v93 = 2.0 * v71
+                v105 = b * b
+                v111 = R1 - R2
+                v113 = R1 * R2
+                v114 = 2.0 * v111 / v113
+                v118 = b * b * v111
+                v132 = []
+                for node, weight in RULE_1(v91 / 1.0):
+                    v92 = node * v91
+                    v95 = 0.5 * v92
+                    v100 = v93 * cosh(v77 - v95) * sinh(v95)
+                    v102 = v68 * cos(v100)
+                    v104 = v68 * sin(v100)
+                    v108 = sqrt(v105 + v102 * v102)
+                    v130 = (2.0 * v108 / R1 + v114 * v102 + v118 / (v113 * v102)) * v102 * v71 * cosh(v77 - v92) * atan2(v104, v108) * (v104 / v108)
+                    v132.append(weight * v130)
+                v132 = fsum(v132) * v91
+                v166 = 0.6366197723675814 * v132
             else:
-                v164 = 0.0
-            v171 = sigma_0 / E_star
-            if 0.6366197723675814 * v8 * v41 + v164 - dgamma / sigma_0 - 1.2732395447351628 * v171 * c <= -(2.0 * v171 * c):
+                v166 = 0.0
+            v173 = sigma_0 / E_star
+            if 0.6366197723675814 * v8 * v42 + v166 - dgamma / sigma_0 - 1.2732395447351628 * v173 * c <= -(2.0 * v173 * c):
                 value = -3.141592653589793 * sigma_0 * c * c
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
@@ -485,47 +380,48 @@ def work_of_separation(a, c, R1, R2, b, E_star, sigma_0):
             else:
                 v32 = v14
             v33 = v14 - v32
-            v46 = []
+            v47 = []
             for node, weight in RULE_0(v33 / 1.0):
                 v35 = node * v33
                 v36 = v32 + v35
-                v44 = 2.0 * (v13 * cos(v36)) / R1 * v36 * sin(v36)
-                v46.append(weight * v44)
-            v46 = fsum(v46) * v33
-            v62 = a - b
-            v66 = sqrt((v62 if v62 > 0.0 or v62 != v62 else 0.0) * (a + b))
-            v68 = v25 if v15 else hypot(v66, v12)
-            v69 = v68 if v15 else v12
-            v70 = v69 > 0.0
-            if v70:
-                v71 = v68 if v70 else b
-                v72 = v69 if v70 else b
-                v74 = asinh(b / v71)
-                v78 = 1.5707963267948966 / v74
-                v79 = atan2(v66, v72) / v74
-                v80 = asinh(v78)
-                v94 = asinh(atan2(v72, v66) / v74 * (v78 + v79) / (v78 * sqrt(1.0 + v79 * v79) + v79 * sqrt(1.0 + v78 * v78)))
-                v96 = 2.0 * v74
-                v108 = b * b
-                v114 = R1 - R2
-                v116 = R1 * R2
-                v117 = 2.0 * v114 / v116
-                v121 = b * b * v114
-                v135 = []
-                for node, weight in RULE_1(v94 / 1.0):
-                    v95 = node * v94
-                    v98 = 0.5 * v95
-                    v103 = v96 * cosh(v80 - v98) * sinh(v98)
-                    v105 = v71 * cos(v103)
-                    v107 = v71 * sin(v103)
-                    v111 = sqrt(v108 + v105 * v105)
-                    v133 = (2.0 * v111 / R1 + v117 * v105 + v121 / (v116 * v105)) * v105 * v74 * cosh(v80 - v95) * atan2(v107, v111) * (v107 / v111)
-                    v135.append(weight * v133)
-                v135 = fsum(v135) * v94
-                v169 = 0.6366197723675814 * v135
+                v38 = v13 * cos(v36)
+                v45 = 2.0 * (v38 if v38 < b or v38 != v38 else b) / R1 * v36 * sin(v36)
+                v47.append(weight * v45)
+            v47 = fsum(v47) * v33
+            v64 = a - b
+            v68 = sqrt((v64 if v64 > 0.0 or v64 != v64 else 0.0) * (a + b))
+            v70 = v25 if v15 else hypot(v68, v12)
+            v71 = v70 if v15 else v12
+            v72 = v71 > 0.0
+            if v72:
+                v73 = v70 if v72 else b
+                v74 = v71 if v72 else b
+                v76 = asinh(b / v73)
+                v80 = 1.5707963267948966 / v76
+                v81 = atan2(v68, v74) / v76
+                v82 = asinh(v80)
+                v96 = asinh(atan2(v74, v68) / v76 * (v80 + v81) / (v80 * sqrt(1.0 + v81 * v81) + v81 * sqrt(1.0 + v80 * v80)))
+                v98 = 2.0 * v76
+                v110 = b * b
+                v116 = R1 - R2
+                v118 = R1 * R2
+                v119 = 2.0 * v116 / v118
+                v123 = b * b * v116
+                v137 = []
+                for node, weight in RULE_1(v96 / 1.0):
+                    v97 = node * v96
+                    v100 = 0.5 * v97
+                    v105 = v98 * cosh(v82 - v100) * sinh(v100)
+                    v107 = v73 * cos(v105)
+                    v109 = v73 * sin(v105)
+                    v113 = sqrt(v110 + v107 * v107)
+                    v135 = (2.0 * v113 / R1 + v119 * v107 + v123 / (v118 * v107)) * v107 * v76 * cosh(v82 - v97) * atan2(v109, v113) * (v109 / v113)
+                    v137.append(weight * v135)
+                v137 = fsum(v137) * v96
+                v171 = 0.6366197723675814 * v137
             else:
-                v169 = 0.0
-            value = sigma_0 * (0.6366197723675814 * v13 * v46 + v169 + 1.2732395447351628 * (sigma_0 / E_star) * v12 * (v14 - v12 / (v13 + a)))
+                v171 = 0.0
+            value = sigma_0 * (0.6366197723675814 * v13 * v47 + v171 + 1.2732395447351628 * (sigma_0 / E_star) * v12 * (v14 - v12 / (v13 + a)))
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             if value != value and ordinary(a, c, R1, R2, b, E_star, sigma_0):
@@ -537,9 +433,7 @@ def work_of_separation(a, c, R1, R2, b, E_star, sigma_0):
 
 
 BLOCKS = {
-    ('_force_of', 2, 'a', 'q', 'R1', 'R2', 'b', 'E_star', 'dgamma', 'sigma_0'): {
-        ('a',): (('a',), prepare_force_of_a, block_force_of_a, 5, 1, (), False),
-        ('a', 'q'): (('a', 'q'), prepare_force_of_a_q, block_force_of_a_q, 5, 1, (), False),
-        ('a', 'q', 'R1', 'R2', 'b', 'E_star', 'dgamma', 'sigma_0'): (('a', 'q', 'R1', 'R2', 'b', 'E_star', 'dgamma', 'sigma_0'), prepare_force_of_all, block_force_of_all, 9, 1, (), False),
+    ('_force_of', 0, 'a', 'q', 'R1', 'R2', 'b', 'E_star', 'dgamma', 'sigma_0'): {
+        ('a', 'q', 'R1', 'R2', 'b', 'E_star', 'dgamma', 'sigma_0'): (('a', 'q', 'R1', 'R2', 'b', 'E_star', 'dgamma', 'sigma_0'), prepare_force_of_all_signed, block_force_of_all_signed, 9, 1, (), False),
     },
 }

@@ -99,156 +99,13 @@ def force_of(a, q, h, b, E_star, dgamma, sigma_0):
     return None
 
 
-def prepare_force_of_a(q, h, b, E_star, dgamma, sigma_0):
-    v13 = E_star * h
-    v63 = (2.0) * sigma_0
-    return (q, b, v13, v63)
-
-
-def block_force_of_a(out, a, q, b, v13, v63, t0, t1, t2, t3, t4, t5, m0, f0):
-    size = out.size
-    np.multiply(C0, a, out)
-    largest_a = largest(a)
-    if largest_a == np.inf:
-        raise FloatingPointError
-    np.subtract(b, a, t0)
-    np.divide(out, t0, t0)
-    np.log1p(t0, t0)
-    np.multiply(t0, C1, t0)
-    np.square(a, out)
-    np.multiply(out, t0, out)
-    np.divide(out, b, out)
-    np.divide(a, b, t1)
-    np.less(t0, C2, m0)
-    some58 = np.count_nonzero(m0)
-    if some58:
-        np.minimum(t0, f0, out=t2)
-        np.multiply(t1, t1, t3)
-        np.multiply(t1, t3, t3)
-        np.multiply(t2, t2, t2)
-        np.multiply(C3, t2, t4)
-        np.add(t4, C4, t4)
-        np.multiply(t4, t2, t4)
-        np.add(t4, C5, t4)
-        np.multiply(t4, t2, t4)
-        np.add(t4, C6, t4)
-        np.multiply(t4, t2, t4)
-        np.add(t4, C7, t4)
-        np.multiply(t4, t2, t4)
-        np.add(t4, C8, t4)
-        np.multiply(C9, t2, t5)
-        np.add(t5, C10, t5)
-        np.multiply(t5, t2, t5)
-        np.add(t5, C11, t5)
-        np.multiply(t5, t2, t5)
-        np.add(t5, C12, t5)
-        np.multiply(t5, t2, t5)
-        np.add(t5, C13, t5)
-        np.multiply(t5, t2, t2)
-        np.add(t2, C2, t2)
-        np.divide(t4, t2, t2)
-        np.multiply(t3, t2, t2)
-    if some58 != size:
-        other58 = t3 if some58 else t2
-        np.subtract(t0, t1, other58)
-        if some58:
-            np.copyto(t2, other58, where=~m0)
-    np.multiply(b, t2, t2)
-    np.add(out, t2, t2)
-    np.multiply(v13, t2, t2)
-    np.hypot(a, q, out)
-    np.multiply(out, out, out)
-    np.arctan2(q, a, t1)
-    np.multiply(out, t1, t1)
-    np.multiply(a, q, out)
-    np.add(t1, out, out)
-    np.multiply(v63, out, out)
-    np.subtract(t2, out, out)
-
-
-def prepare_force_of_a_q(h, b, E_star, dgamma, sigma_0):
-    v13 = E_star * h
-    v63 = (2.0) * sigma_0
-    return (b, v13, v63)
-
-
-def block_force_of_a_q(out, a, q, b, v13, v63, t0, t1, t2, t3, t4, t5, m0, f0):
-    size = out.size
-    np.multiply(C0, a, out)
-    largest_a = largest(a)
-    if largest_a == np.inf:
-        raise FloatingPointError
-    largest_q = largest(q)
-    if largest_q == np.inf:
-        raise FloatingPointError
-    np.subtract(b, a, t0)
-    np.divide(out, t0, t0)
-    np.log1p(t0, t0)
-    np.multiply(t0, C1, t0)
-    np.square(a, out)
-    np.multiply(out, t0, out)
-    np.divide(out, b, out)
-    np.divide(a, b, t1)
-    np.less(t0, C2, m0)
-    some58 = np.count_nonzero(m0)
-    if some58:
-        np.minimum(t0, f0, out=t2)
-        np.multiply(t1, t1, t3)
-        np.multiply(t1, t3, t3)
-        np.multiply(t2, t2, t2)
-        np.multiply(C3, t2, t4)
-        np.add(t4, C4, t4)
-        np.multiply(t4, t2, t4)
-        np.add(t4, C5, t4)
-        np.multiply(t4, t2, t4)
-        np.add(t4, C6, t4)
-        np.multiply(t4, t2, t4)
-        np.add(t4, C7, t4)
-        np.multiply(t4, t2, t4)
-        np.add(t4, C8, t4)
-        np.multiply(C9, t2, t5)
-        np.add(t5, C10, t5)
-        np.multiply(t5, t2, t5)
-        np.add(t5, C11, t5)
-        np.multiply(t5, t2, t5)
-        np.add(t5, C12, t5)
-        np.multiply(t5, t2, t5)
-        np.add(t5, C13, t5)
-        np.multiply(t5, t2, t2)
-        np.add(t2, C2, t2)
-        np.divide(t4, t2, t2)
-        np.multiply(t3, t2, t2)
-    if some58 != size:
-        other58 = t3 if some58 else t2
-        np.subtract(t0, t1, other58)
-        if some58:
-            np.copyto(t2, other58, where=~m0)
-    np.multiply(b, t2, t2)
-    np.add(out, t2, t2)
-    np.multiply(v13, t2, t2)
-    np.hypot(a, q, out)
-    np.multiply(out, out, out)
-    np.arctan2(q, a, t1)
-    np.multiply(out, t1, t1)
-    np.multiply(a, q, out)
-    np.add(t1, out, out)
-    np.multiply(v63, out, out)
-    np.subtract(t2, out, out)
-
-
-def prepare_force_of_all():
+def prepare_force_of_all_signed():
     return ()
 
 
-def block_force_of_all(out, a, q, h, b, E_star, dgamma, sigma_0, t0, t1, t2, t3, t4, t5, t6, m0, f0):
+def block_force_of_all_signed(out, a, q, h, b, E_star, dgamma, sigma_0, t0, t1, t2, t3, t4, t5, t6, m0, f0):
     size = out.size
     np.multiply(C0, a, out)
-    largest_a = largest(a)
-    if largest_a == np.inf:
-        raise FloatingPointError
-    largest_q = largest(q)
-    if largest_q == np.inf:
-        raise FloatingPointError
     np.subtract(b, a, t0)
     np.divide(out, t0, t0)
     np.log1p(t0, t0)
@@ -320,12 +177,12 @@ def pressure(r, a, h, b, E_star, dgamma, sigma_0):
 
 
 def pull_off_depth(a, q, h, b, E_star, dgamma, sigma_0):
-    if a.__class__ is q.__class__ is h.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (q > 1e-30) and (q < 1e+30) and (h > 1e-30) and (h < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+    if a.__class__ is q.__class__ is h.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > -1e+30 and (a < 1e+30) and (q > -1e+30) and (q < 1e+30) and (h > 1e-30) and (h < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
             value = bodies._pull_off_depth(a, q, h, b, E_star, dgamma, sigma_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, q, h, b, E_star, dgamma, sigma_0):
+            if (value != value or value == 0.0) and ordinary(a, q, h, b, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -346,12 +203,12 @@ def pull_off_radius(h, b, E_star, dgamma, sigma_0, control):
 
 
 def pull_off_zone(a, h, b, E_star, dgamma, sigma_0):
-    if a.__class__ is h.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+    if a.__class__ is h.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > -1e+30 and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
             value = bodies._pull_off_zone(a, h, b, E_star, dgamma, sigma_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, h, b, E_star, dgamma, sigma_0):
+            if (value != value or value == 0.0) and ordinary(a, h, b, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -519,9 +376,7 @@ def work_of_separation(a, c, h, b, E_star, sigma_0):
 
 
 BLOCKS = {
-    ('_force_of', 2, 'a', 'q', 'h', 'b', 'E_star', 'dgamma', 'sigma_0'): {
-        ('a',): (('a',), prepare_force_of_a, block_force_of_a, 6, 1, (1.0,), False),
-        ('a', 'q'): (('a', 'q'), prepare_force_of_a_q, block_force_of_a_q, 6, 1, (1.0,), False),
-        ('a', 'q', 'h', 'b', 'E_star', 'dgamma', 'sigma_0'): (('a', 'q', 'h', 'b', 'E_star', 'dgamma', 'sigma_0'), prepare_force_of_all, block_force_of_all, 7, 1, (1.0,), False),
+    ('_force_of', 0, 'a', 'q', 'h', 'b', 'E_star', 'dgamma', 'sigma_0'): {
+        ('a', 'q', 'h', 'b', 'E_star', 'dgamma', 'sigma_0'): (('a', 'q', 'h', 'b', 'E_star', 'dgamma', 'sigma_0'), prepare_force_of_all_signed, block_force_of_all_signed, 7, 1, (1.0,), False),
     },
 }

@@ -99,158 +99,13 @@ def force_of(a, q, theta, b, E_star, dgamma, sigma_0):
     return None
 
 
-def prepare_force_of_a(q, theta, b, E_star, dgamma, sigma_0):
-    v7 = np.tan(theta)
-    v8 = E_star * v7
-    v12 = np.square(b)
-    v65 = (2.0) * sigma_0
-    return (q, b, v8, v12, v65)
-
-
-def block_force_of_a(out, a, q, b, v8, v12, v65, t0, t1, t2, t3, t4, m0, f0):
-    size = out.size
-    np.arctan2(a, b, out)
-    largest_a = largest(a)
-    if largest_a == np.inf:
-        raise FloatingPointError
-    np.square(a, t0)
-    np.multiply(t0, out, out)
-    np.divide(a, b, t0)
-    np.less(t0, C1, m0)
-    some60 = np.count_nonzero(m0)
-    if some60:
-        np.minimum(t0, f0, out=t1)
-        np.multiply(t1, t1, t2)
-        np.multiply(t1, t2, t1)
-        np.multiply(C2, t2, t3)
-        np.add(t3, C3, t3)
-        np.multiply(t3, t2, t3)
-        np.add(t3, C4, t3)
-        np.multiply(t3, t2, t3)
-        np.add(t3, C5, t3)
-        np.multiply(t3, t2, t3)
-        np.add(t3, C6, t3)
-        np.multiply(t3, t2, t3)
-        np.add(t3, C7, t3)
-        np.multiply(t3, t2, t3)
-        np.add(t3, C8, t3)
-        np.multiply(C9, t2, t4)
-        np.add(t4, C10, t4)
-        np.multiply(t4, t2, t4)
-        np.add(t4, C11, t4)
-        np.multiply(t4, t2, t4)
-        np.add(t4, C12, t4)
-        np.multiply(t4, t2, t4)
-        np.add(t4, C13, t4)
-        np.multiply(t4, t2, t4)
-        np.add(t4, C14, t4)
-        np.multiply(t4, t2, t2)
-        np.add(t2, C1, t2)
-        np.divide(t3, t2, t2)
-        np.multiply(t1, t2, t1)
-    if some60 != size:
-        other60 = t2 if some60 else t1
-        np.arctan(t0, other60)
-        np.subtract(t0, other60, other60)
-        if some60:
-            np.copyto(t1, other60, where=~m0)
-    np.multiply(v12, t1, t1)
-    np.add(out, t1, t1)
-    np.multiply(v8, t1, t1)
-    np.hypot(a, q, out)
-    np.multiply(out, out, out)
-    np.arctan2(q, a, t0)
-    np.multiply(out, t0, t0)
-    np.multiply(a, q, out)
-    np.add(t0, out, out)
-    np.multiply(v65, out, out)
-    np.subtract(t1, out, out)
-
-
-def prepare_force_of_a_q(theta, b, E_star, dgamma, sigma_0):
-    v7 = np.tan(theta)
-    v8 = E_star * v7
-    v12 = np.square(b)
-    v65 = (2.0) * sigma_0
-    return (b, v8, v12, v65)
-
-
-def block_force_of_a_q(out, a, q, b, v8, v12, v65, t0, t1, t2, t3, t4, m0, f0):
-    size = out.size
-    np.arctan2(a, b, out)
-    largest_a = largest(a)
-    if largest_a == np.inf:
-        raise FloatingPointError
-    largest_q = largest(q)
-    if largest_q == np.inf:
-        raise FloatingPointError
-    np.square(a, t0)
-    np.multiply(t0, out, out)
-    np.divide(a, b, t0)
-    np.less(t0, C1, m0)
-    some60 = np.count_nonzero(m0)
-    if some60:
-        np.minimum(t0, f0, out=t1)
-        np.multiply(t1, t1, t2)
-        np.multiply(t1, t2, t1)
-        np.multiply(C2, t2, t3)
-        np.add(t3, C3, t3)
-        np.multiply(t3, t2, t3)
-        np.add(t3, C4, t3)
-        np.multiply(t3, t2, t3)
-        np.add(t3, C5, t3)
-        np.multiply(t3, t2, t3)
-        np.add(t3, C6, t3)
-        np.multiply(t3, t2, t3)
-        np.add(t3, C7, t3)
-        np.multiply(t3, t2, t3)
-        np.add(t3, C8, t3)
-        np.multiply(C9, t2, t4)
-        np.add(t4, C10, t4)
-        np.multiply(t4, t2, t4)
-        np.add(t4, C11, t4)
-        np.multiply(t4, t2, t4)
-        np.add(t4, C12, t4)
-        np.multiply(t4, t2, t4)
-        np.add(t4, C13, t4)
-        np.multiply(t4, t2, t4)
-        np.add(t4, C14, t4)
-        np.multiply(t4, t2, t2)
-        np.add(t2, C1, t2)
-        np.divide(t3, t2, t2)
-        np.multiply(t1, t2, t1)
-    if some60 != size:
-        other60 = t2 if some60 else t1
-        np.arctan(t0, other60)
-        np.subtract(t0, other60, other60)
-        if some60:
-            np.copyto(t1, other60, where=~m0)
-    np.multiply(v12, t1, t1)
-    np.add(out, t1, t1)
-    np.multiply(v8, t1, t1)
-    np.hypot(a, q, out)
-    np.multiply(out, out, out)
-    np.arctan2(q, a, t0)
-    np.multiply(out, t0, t0)
-    np.multiply(a, q, out)
-    np.add(t0, out, out)
-    np.multiply(v65, out, out)
-    np.subtract(t1, out, out)
-
-
-def prepare_force_of_all():
+def prepare_force_of_all_signed():
     return ()
 
 
-def block_force_of_all(out, a, q, theta, b, E_star, dgamma, sigma_0, t0, t1, t2, t3, t4, t5, t6, m0, f0):
+def block_force_of_all_signed(out, a, q, theta, b, E_star, dgamma, sigma_0, t0, t1, t2, t3, t4, t5, t6, m0, f0):
     size = out.size
     np.arctan2(a, b, out)
-    largest_a = largest(a)
-    if largest_a == np.inf:
-        raise FloatingPointError
-    largest_q = largest(q)
-    if largest_q == np.inf:
-        raise FloatingPointError
     np.tan(theta, t0)
     np.multiply(E_star, t0, t0)
     np.square(a, t1)
@@ -323,12 +178,12 @@ def pressure(r, a, theta, b, E_star, dgamma, sigma_0):
 
 
 def pull_off_depth(a, q, theta, b, E_star, dgamma, sigma_0):
-    if a.__class__ is q.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (q > 1e-30) and (q < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+    if a.__class__ is q.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > -1e+30 and (a < 1e+30) and (q > -1e+30) and (q < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
             value = bodies._pull_off_depth(a, q, theta, b, E_star, dgamma, sigma_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, q, theta, b, E_star, dgamma, sigma_0):
+            if (value != value or value == 0.0) and ordinary(a, q, theta, b, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -349,12 +204,12 @@ def pull_off_radius(theta, b, E_star, dgamma, sigma_0, control):
 
 
 def pull_off_zone(a, theta, b, E_star, dgamma, sigma_0):
-    if a.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+    if a.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > -1e+30 and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
             value = bodies._pull_off_zone(a, theta, b, E_star, dgamma, sigma_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, theta, b, E_star, dgamma, sigma_0):
+            if (value != value or value == 0.0) and ordinary(a, theta, b, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -507,9 +362,7 @@ def work_of_separation(a, c, theta, b, E_star, sigma_0):
 
 
 BLOCKS = {
-    ('_force_of', 2, 'a', 'q', 'theta', 'b', 'E_star', 'dgamma', 'sigma_0'): {
-        ('a',): (('a',), prepare_force_of_a, block_force_of_a, 5, 1, (1.0,), False),
-        ('a', 'q'): (('a', 'q'), prepare_force_of_a_q, block_force_of_a_q, 5, 1, (1.0,), False),
-        ('a', 'q', 'theta', 'b', 'E_star', 'dgamma', 'sigma_0'): (('a', 'q', 'theta', 'b', 'E_star', 'dgamma', 'sigma_0'), prepare_force_of_all, block_force_of_all, 7, 1, (1.0,), False),
+    ('_force_of', 0, 'a', 'q', 'theta', 'b', 'E_star', 'dgamma', 'sigma_0'): {
+        ('a', 'q', 'theta', 'b', 'E_star', 'dgamma', 'sigma_0'): (('a', 'q', 'theta', 'b', 'E_star', 'dgamma', 'sigma_0'), prepare_force_of_all_signed, block_force_of_all_signed, 7, 1, (1.0,), False),
     },
 }

@@ -10,9 +10,9 @@ from ..._runtime.interface import largest, ordinary
 from ..._runtime.plain import rule
 from ..._programs.bodies.cohesive import paraboloid as bodies
 
-C0 = np.array(2.0)
-C1 = np.array(4.0)
-C2 = np.array(3.0)
+C0 = np.array(4.0)
+C1 = np.array(3.0)
+C2 = np.array(2.0)
 RULE_0 = rule(((inf, 16),))
 
 
@@ -81,78 +81,19 @@ def force_of(a, q, R, E_star, dgamma, sigma_0):
     return None
 
 
-def prepare_force_of_a(q, R, E_star, dgamma, sigma_0):
-    v6 = (4.0) * E_star
-    v8 = (3.0) * R
-    v9 = v6 / v8
-    v15 = (2.0) * sigma_0
-    return (q, v9, v15)
-
-
-def block_force_of_a(out, a, q, v9, v15, t0, t1):
-    np.square(a, out)
-    largest_a = largest(a)
-    if largest_a == np.inf:
-        raise FloatingPointError
-    np.multiply(a, out, out)
-    np.multiply(v9, out, out)
-    np.hypot(a, q, t0)
-    np.multiply(t0, t0, t0)
-    np.arctan2(q, a, t1)
-    np.multiply(t0, t1, t1)
-    np.multiply(a, q, t0)
-    np.add(t1, t0, t0)
-    np.multiply(v15, t0, t0)
-    np.subtract(out, t0, out)
-
-
-def prepare_force_of_a_q(R, E_star, dgamma, sigma_0):
-    v6 = (4.0) * E_star
-    v8 = (3.0) * R
-    v9 = v6 / v8
-    v15 = (2.0) * sigma_0
-    return (v9, v15)
-
-
-def block_force_of_a_q(out, a, q, v9, v15, t0, t1):
-    np.square(a, out)
-    largest_a = largest(a)
-    if largest_a == np.inf:
-        raise FloatingPointError
-    largest_q = largest(q)
-    if largest_q == np.inf:
-        raise FloatingPointError
-    np.multiply(a, out, out)
-    np.multiply(v9, out, out)
-    np.hypot(a, q, t0)
-    np.multiply(t0, t0, t0)
-    np.arctan2(q, a, t1)
-    np.multiply(t0, t1, t1)
-    np.multiply(a, q, t0)
-    np.add(t1, t0, t0)
-    np.multiply(v15, t0, t0)
-    np.subtract(out, t0, out)
-
-
-def prepare_force_of_all():
+def prepare_force_of_all_signed():
     return ()
 
 
-def block_force_of_all(out, a, q, R, E_star, dgamma, sigma_0, t0, t1, t2):
-    np.multiply(C1, E_star, out)
-    largest_a = largest(a)
-    if largest_a == np.inf:
-        raise FloatingPointError
-    largest_q = largest(q)
-    if largest_q == np.inf:
-        raise FloatingPointError
-    np.multiply(C2, R, t0)
+def block_force_of_all_signed(out, a, q, R, E_star, dgamma, sigma_0, t0, t1, t2):
+    np.multiply(C0, E_star, out)
+    np.multiply(C1, R, t0)
     np.divide(out, t0, t0)
     np.square(a, out)
     np.multiply(a, out, out)
     np.multiply(t0, out, out)
     np.hypot(a, q, t0)
-    np.multiply(C0, sigma_0, t1)
+    np.multiply(C2, sigma_0, t1)
     np.multiply(t0, t0, t0)
     np.arctan2(q, a, t2)
     np.multiply(t0, t2, t2)
@@ -176,12 +117,12 @@ def pressure(r, a, R, E_star, dgamma, sigma_0):
 
 
 def pull_off_depth(a, q, R, E_star, dgamma, sigma_0):
-    if a.__class__ is q.__class__ is R.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (q > 1e-30) and (q < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+    if a.__class__ is q.__class__ is R.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > -1e+30 and (a < 1e+30) and (q > -1e+30) and (q < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
             value = bodies._pull_off_depth(a, q, R, E_star, dgamma, sigma_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, q, R, E_star, dgamma, sigma_0):
+            if (value != value or value == 0.0) and ordinary(a, q, R, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -202,12 +143,12 @@ def pull_off_radius(R, E_star, dgamma, sigma_0, control):
 
 
 def pull_off_zone(a, R, E_star, dgamma, sigma_0):
-    if a.__class__ is R.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+    if a.__class__ is R.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > -1e+30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
             value = bodies._pull_off_zone(a, R, E_star, dgamma, sigma_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, R, E_star, dgamma, sigma_0):
+            if (value != value or value == 0.0) and ordinary(a, R, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -329,9 +270,7 @@ def work_of_separation(a, c, R, E_star, sigma_0):
 
 
 BLOCKS = {
-    ('_force_of', 2, 'a', 'q', 'R', 'E_star', 'dgamma', 'sigma_0'): {
-        ('a',): (('a',), prepare_force_of_a, block_force_of_a, 2, 0, (), False),
-        ('a', 'q'): (('a', 'q'), prepare_force_of_a_q, block_force_of_a_q, 2, 0, (), False),
-        ('a', 'q', 'R', 'E_star', 'dgamma', 'sigma_0'): (('a', 'q', 'R', 'E_star', 'dgamma', 'sigma_0'), prepare_force_of_all, block_force_of_all, 3, 0, (), False),
+    ('_force_of', 0, 'a', 'q', 'R', 'E_star', 'dgamma', 'sigma_0'): {
+        ('a', 'q', 'R', 'E_star', 'dgamma', 'sigma_0'): (('a', 'q', 'R', 'E_star', 'dgamma', 'sigma_0'), prepare_force_of_all_signed, block_force_of_all_signed, 3, 0, (), False),
     },
 }

@@ -59,7 +59,7 @@ def force(a, E_star, dgamma, sigma_0, A):
 
 
 def force_of(a, q, E_star, dgamma, sigma_0, A):
-    if a.__class__ is q.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (q > 1e-30) and (q < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30) and all([x.__class__ is float and (x == 0.0 or 1e-30 < x < 1e+30) for x in A]):
+    if a.__class__ is q.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > -1e+30 and (a < 1e+30) and (q > -1e+30) and (q < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30) and all([x.__class__ is float and (x == 0.0 or 1e-30 < x < 1e+30) for x in A]):
         try:
             value = bodies._force_of(a, q, A, E_star, dgamma, sigma_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
@@ -85,7 +85,7 @@ def pressure(r, a, E_star, dgamma, sigma_0, A):
 
 
 def pull_off_depth(a, q, E_star, dgamma, sigma_0, A):
-    if a.__class__ is q.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (q > 1e-30) and (q < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30) and all([x.__class__ is float and (x == 0.0 or 1e-30 < x < 1e+30) for x in A]):
+    if a.__class__ is q.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > -1e+30 and (a < 1e+30) and (q > -1e+30) and (q < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30) and all([x.__class__ is float and (x == 0.0 or 1e-30 < x < 1e+30) for x in A]):
         try:
             value = bodies._pull_off_depth(a, q, A, E_star, dgamma, sigma_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
@@ -111,7 +111,7 @@ def pull_off_radius(E_star, dgamma, sigma_0, A, control):
 
 
 def pull_off_zone(a, E_star, dgamma, sigma_0, A):
-    if a.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30) and all([x.__class__ is float and (x == 0.0 or 1e-30 < x < 1e+30) for x in A]):
+    if a.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > -1e+30 and (a < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30) and all([x.__class__ is float and (x == 0.0 or 1e-30 < x < 1e+30) for x in A]):
         try:
             value = bodies._pull_off_zone(a, A, E_star, dgamma, sigma_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:

@@ -102,170 +102,13 @@ def force_of(a, q, A, n, E_star, dgamma, sigma_0):
     return None
 
 
-def prepare_force_of_a(q, A, n, E_star, dgamma, sigma_0):
-    v7 = n / (2.0)
-    v9 = v7 + (0.5)
-    v11 = v9 + (1.75)
-    v12 = v9 + (0.5)
-    v14 = v9 + (1.5)
-    v15 = v12 * v14
-    v17 = np.less(v9, (1.0))
-    v18 = v9 + (1.0)
-    v19 = v9 * v18
-    v20 = v19 / v15
-    v22 = v9 + (0.75)
-    v23 = v22 / v15
-    v24 = (1.0) - v23
-    v25 = v20 if v17 else v24
-    v26 = np.sqrt(v11)
-    v27 = v25 * v26
-    v28 = v11 * v11
-    v29 = (1.0) / v28
-    v31 = (0.01524698625788054) * v29
-    v33 = v31 + (0.5334320651111477)
-    v34 = v33 * v29
-    v36 = v34 + (2.250488865813539)
-    v37 = v36 * v29
-    v39 = v37 + (2.8612106440066865)
-    v40 = v39 * v29
-    v42 = v40 + (1.3794681629043655)
-    v43 = v42 * v29
-    v45 = v43 + (0.2596058532893223)
-    v46 = v45 * v29
-    v48 = v46 + (0.015624999999999823)
-    v50 = (3.278794792785737) * v29
-    v52 = v50 + (49.328555418276075)
-    v53 = v52 * v29
-    v55 = v53 + (167.28648538571198)
-    v56 = v55 * v29
-    v58 = v56 + (195.37226190335065)
-    v59 = v58 * v29
-    v61 = v59 + (90.69722535867314)
-    v62 = v61 * v29
-    v64 = v62 + (16.763212110504565)
-    v65 = v64 * v29
-    v66 = v65 + (1.0)
-    v67 = v48 / v66
-    v68 = v29 * v67
-    v69 = (1.0) + v68
-    v70 = v27 * v69
-    v72 = (3.5449077018110318) * E_star
-    v73 = v72 * n
-    v74 = v73 * A
-    v75 = n + (1.0)
-    v76 = v74 / v75
-    v82 = (2.0) * sigma_0
-    return (q, n, v70, v76, v82)
-
-
-def block_force_of_a(out, a, q, n, v70, v76, v82, t0, t1):
-    np.multiply(v76, a, out)
-    largest_a = largest(a)
-    if largest_a == np.inf:
-        raise FloatingPointError
-    np.power(a, n, t0)
-    np.multiply(out, t0, t0)
-    np.multiply(t0, v70, t0)
-    np.hypot(a, q, out)
-    np.multiply(out, out, out)
-    np.arctan2(q, a, t1)
-    np.multiply(out, t1, t1)
-    np.multiply(a, q, out)
-    np.add(t1, out, out)
-    np.multiply(v82, out, out)
-    np.subtract(t0, out, out)
-
-
-def prepare_force_of_a_q(A, n, E_star, dgamma, sigma_0):
-    v7 = n / (2.0)
-    v9 = v7 + (0.5)
-    v11 = v9 + (1.75)
-    v12 = v9 + (0.5)
-    v14 = v9 + (1.5)
-    v15 = v12 * v14
-    v17 = np.less(v9, (1.0))
-    v18 = v9 + (1.0)
-    v19 = v9 * v18
-    v20 = v19 / v15
-    v22 = v9 + (0.75)
-    v23 = v22 / v15
-    v24 = (1.0) - v23
-    v25 = v20 if v17 else v24
-    v26 = np.sqrt(v11)
-    v27 = v25 * v26
-    v28 = v11 * v11
-    v29 = (1.0) / v28
-    v31 = (0.01524698625788054) * v29
-    v33 = v31 + (0.5334320651111477)
-    v34 = v33 * v29
-    v36 = v34 + (2.250488865813539)
-    v37 = v36 * v29
-    v39 = v37 + (2.8612106440066865)
-    v40 = v39 * v29
-    v42 = v40 + (1.3794681629043655)
-    v43 = v42 * v29
-    v45 = v43 + (0.2596058532893223)
-    v46 = v45 * v29
-    v48 = v46 + (0.015624999999999823)
-    v50 = (3.278794792785737) * v29
-    v52 = v50 + (49.328555418276075)
-    v53 = v52 * v29
-    v55 = v53 + (167.28648538571198)
-    v56 = v55 * v29
-    v58 = v56 + (195.37226190335065)
-    v59 = v58 * v29
-    v61 = v59 + (90.69722535867314)
-    v62 = v61 * v29
-    v64 = v62 + (16.763212110504565)
-    v65 = v64 * v29
-    v66 = v65 + (1.0)
-    v67 = v48 / v66
-    v68 = v29 * v67
-    v69 = (1.0) + v68
-    v70 = v27 * v69
-    v72 = (3.5449077018110318) * E_star
-    v73 = v72 * n
-    v74 = v73 * A
-    v75 = n + (1.0)
-    v76 = v74 / v75
-    v82 = (2.0) * sigma_0
-    return (n, v70, v76, v82)
-
-
-def block_force_of_a_q(out, a, q, n, v70, v76, v82, t0, t1):
-    np.multiply(v76, a, out)
-    largest_a = largest(a)
-    if largest_a == np.inf:
-        raise FloatingPointError
-    largest_q = largest(q)
-    if largest_q == np.inf:
-        raise FloatingPointError
-    np.power(a, n, t0)
-    np.multiply(out, t0, t0)
-    np.multiply(t0, v70, t0)
-    np.hypot(a, q, out)
-    np.multiply(out, out, out)
-    np.arctan2(q, a, t1)
-    np.multiply(out, t1, t1)
-    np.multiply(a, q, out)
-    np.add(t1, out, out)
-    np.multiply(v82, out, out)
-    np.subtract(t0, out, out)
-
-
-def prepare_force_of_all():
+def prepare_force_of_all_signed():
     return ()
 
 
-def block_force_of_all(out, a, q, A, n, E_star, dgamma, sigma_0, t0, t1, t2, t3, m0):
+def block_force_of_all_signed(out, a, q, A, n, E_star, dgamma, sigma_0, t0, t1, t2, t3, m0):
     size = out.size
     np.multiply(n, C0, out)
-    largest_a = largest(a)
-    if largest_a == np.inf:
-        raise FloatingPointError
-    largest_q = largest(q)
-    if largest_q == np.inf:
-        raise FloatingPointError
     np.add(out, C0, out)
     np.add(out, C1, t0)
     np.add(out, C0, t1)
@@ -350,12 +193,12 @@ def pressure(r, a, A, n, E_star, dgamma, sigma_0):
 
 
 def pull_off_depth(a, q, A, n, E_star, dgamma, sigma_0):
-    if a.__class__ is q.__class__ is A.__class__ is n.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (q > 1e-30) and (q < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+    if a.__class__ is q.__class__ is A.__class__ is n.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > -1e+30 and (a < 1e+30) and (q > -1e+30) and (q < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
             value = bodies._pull_off_depth(a, q, A, n, E_star, dgamma, sigma_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, q, A, n, E_star, dgamma, sigma_0):
+            if (value != value or value == 0.0) and ordinary(a, q, A, n, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -376,12 +219,12 @@ def pull_off_radius(A, n, E_star, dgamma, sigma_0, control):
 
 
 def pull_off_zone(a, A, n, E_star, dgamma, sigma_0):
-    if a.__class__ is A.__class__ is n.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+    if a.__class__ is A.__class__ is n.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > -1e+30 and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
             value = bodies._pull_off_zone(a, A, n, E_star, dgamma, sigma_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, A, n, E_star, dgamma, sigma_0):
+            if (value != value or value == 0.0) and ordinary(a, A, n, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -532,9 +375,7 @@ def work_of_separation(a, c, A, n, E_star, sigma_0):
 
 
 BLOCKS = {
-    ('_force_of', 2, 'a', 'q', 'A', 'n', 'E_star', 'dgamma', 'sigma_0'): {
-        ('a',): (('a',), prepare_force_of_a, block_force_of_a, 2, 0, (), False),
-        ('a', 'q'): (('a', 'q'), prepare_force_of_a_q, block_force_of_a_q, 2, 0, (), False),
-        ('a', 'q', 'A', 'n', 'E_star', 'dgamma', 'sigma_0'): (('a', 'q', 'A', 'n', 'E_star', 'dgamma', 'sigma_0'), prepare_force_of_all, block_force_of_all, 4, 1, (), False),
+    ('_force_of', 0, 'a', 'q', 'A', 'n', 'E_star', 'dgamma', 'sigma_0'): {
+        ('a', 'q', 'A', 'n', 'E_star', 'dgamma', 'sigma_0'): (('a', 'q', 'A', 'n', 'E_star', 'dgamma', 'sigma_0'), prepare_force_of_all_signed, block_force_of_all_signed, 4, 1, (), False),
     },
 }

@@ -10,9 +10,9 @@ from ..._runtime.interface import largest, ordinary
 from ..._runtime.plain import rule
 from ..._programs.bodies.cohesive import quartic as bodies
 
-C0 = np.array(5.0)
-C1 = np.array(64.0)
-C2 = np.array(15.0)
+C0 = np.array(64.0)
+C1 = np.array(15.0)
+C2 = np.array(5.0)
 C3 = np.array(2.0)
 RULE_0 = rule(((inf, 16),))
 
@@ -82,72 +82,15 @@ def force_of(a, q, A, E_star, dgamma, sigma_0):
     return None
 
 
-def prepare_force_of_a(q, A, E_star, dgamma, sigma_0):
-    v6 = (64.0) * E_star
-    v7 = v6 * A
-    v9 = v7 / (15.0)
-    v15 = (2.0) * sigma_0
-    return (q, v9, v15)
-
-
-def block_force_of_a(out, a, q, v9, v15, t0, t1):
-    np.power(a, C0, out)
-    largest_a = largest(a)
-    if largest_a == np.inf:
-        raise FloatingPointError
-    np.multiply(v9, out, out)
-    np.hypot(a, q, t0)
-    np.multiply(t0, t0, t0)
-    np.arctan2(q, a, t1)
-    np.multiply(t0, t1, t1)
-    np.multiply(a, q, t0)
-    np.add(t1, t0, t0)
-    np.multiply(v15, t0, t0)
-    np.subtract(out, t0, out)
-
-
-def prepare_force_of_a_q(A, E_star, dgamma, sigma_0):
-    v6 = (64.0) * E_star
-    v7 = v6 * A
-    v9 = v7 / (15.0)
-    v15 = (2.0) * sigma_0
-    return (v9, v15)
-
-
-def block_force_of_a_q(out, a, q, v9, v15, t0, t1):
-    np.power(a, C0, out)
-    largest_a = largest(a)
-    if largest_a == np.inf:
-        raise FloatingPointError
-    largest_q = largest(q)
-    if largest_q == np.inf:
-        raise FloatingPointError
-    np.multiply(v9, out, out)
-    np.hypot(a, q, t0)
-    np.multiply(t0, t0, t0)
-    np.arctan2(q, a, t1)
-    np.multiply(t0, t1, t1)
-    np.multiply(a, q, t0)
-    np.add(t1, t0, t0)
-    np.multiply(v15, t0, t0)
-    np.subtract(out, t0, out)
-
-
-def prepare_force_of_all():
+def prepare_force_of_all_signed():
     return ()
 
 
-def block_force_of_all(out, a, q, A, E_star, dgamma, sigma_0, t0, t1, t2):
-    np.multiply(C1, E_star, out)
-    largest_a = largest(a)
-    if largest_a == np.inf:
-        raise FloatingPointError
-    largest_q = largest(q)
-    if largest_q == np.inf:
-        raise FloatingPointError
+def block_force_of_all_signed(out, a, q, A, E_star, dgamma, sigma_0, t0, t1, t2):
+    np.multiply(C0, E_star, out)
     np.multiply(out, A, out)
-    np.divide(out, C2, out)
-    np.power(a, C0, t0)
+    np.divide(out, C1, out)
+    np.power(a, C2, t0)
     np.multiply(out, t0, t0)
     np.hypot(a, q, out)
     np.multiply(C3, sigma_0, t1)
@@ -174,12 +117,12 @@ def pressure(r, a, A, E_star, dgamma, sigma_0):
 
 
 def pull_off_depth(a, q, A, E_star, dgamma, sigma_0):
-    if a.__class__ is q.__class__ is A.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (q > 1e-30) and (q < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+    if a.__class__ is q.__class__ is A.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > -1e+30 and (a < 1e+30) and (q > -1e+30) and (q < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
             value = bodies._pull_off_depth(a, q, A, E_star, dgamma, sigma_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, q, A, E_star, dgamma, sigma_0):
+            if (value != value or value == 0.0) and ordinary(a, q, A, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -200,12 +143,12 @@ def pull_off_radius(A, E_star, dgamma, sigma_0, control):
 
 
 def pull_off_zone(a, A, E_star, dgamma, sigma_0):
-    if a.__class__ is A.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+    if a.__class__ is A.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > -1e+30 and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
             value = bodies._pull_off_zone(a, A, E_star, dgamma, sigma_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, A, E_star, dgamma, sigma_0):
+            if (value != value or value == 0.0) and ordinary(a, A, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -333,9 +276,7 @@ def work_of_separation(a, c, A, E_star, sigma_0):
 
 
 BLOCKS = {
-    ('_force_of', 2, 'a', 'q', 'A', 'E_star', 'dgamma', 'sigma_0'): {
-        ('a',): (('a',), prepare_force_of_a, block_force_of_a, 2, 0, (), False),
-        ('a', 'q'): (('a', 'q'), prepare_force_of_a_q, block_force_of_a_q, 2, 0, (), False),
-        ('a', 'q', 'A', 'E_star', 'dgamma', 'sigma_0'): (('a', 'q', 'A', 'E_star', 'dgamma', 'sigma_0'), prepare_force_of_all, block_force_of_all, 3, 0, (), False),
+    ('_force_of', 0, 'a', 'q', 'A', 'E_star', 'dgamma', 'sigma_0'): {
+        ('a', 'q', 'A', 'E_star', 'dgamma', 'sigma_0'): (('a', 'q', 'A', 'E_star', 'dgamma', 'sigma_0'), prepare_force_of_all_signed, block_force_of_all_signed, 3, 0, (), False),
     },
 }

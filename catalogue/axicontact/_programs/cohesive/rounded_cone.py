@@ -11,8 +11,8 @@ from ..._runtime.plain import rule
 from ..._programs.bodies.cohesive import rounded_cone as bodies
 
 C0 = np.array(2.0)
-C1 = np.array(3.0)
-C2 = np.array(4.0)
+C1 = np.array(4.0)
+C2 = np.array(3.0)
 RULE_0 = rule(((inf, 16),))
 RULE_1 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
 
@@ -89,135 +89,20 @@ def force_of(a, q, theta, b, E_star, dgamma, sigma_0):
     return None
 
 
-def prepare_force_of_a(q, theta, b, E_star, dgamma, sigma_0):
-    v7 = (4.0) * E_star
-    v8 = np.tan(theta)
-    v9 = v7 * v8
-    v11 = (3.0) * b
-    v12 = v9 / v11
-    v23 = E_star * v8
-    v25 = (4.0) * b
-    v31 = b / (3.0)
-    v38 = (2.0) * sigma_0
-    return (q, b, v12, v23, v25, v31, v38)
-
-
-def block_force_of_a(out, a, q, b, v12, v23, v25, v31, v38, t0, t1, t2, t3, t4, m0):
-    size = out.size
-    np.square(a, out)
-    largest_a = largest(a)
-    if largest_a == np.inf:
-        raise FloatingPointError
-    np.less(a, b, m0)
-    some36 = np.count_nonzero(m0)
-    if some36:
-        np.multiply(a, out, t0)
-        np.multiply(v12, t0, t0)
-    if some36 != size:
-        other36 = t1 if some36 else t0
-        np.subtract(a, b, other36)
-        np.add(a, b, t2)
-        np.multiply(other36, t2, t2)
-        np.sqrt(t2, t2)
-        np.divide(t2, b, other36)
-        np.arctan(other36, other36)
-        np.multiply(out, other36, other36)
-        np.multiply(v25, out, t3)
-        np.add(t2, a, t4)
-        np.multiply(C1, t4, t4)
-        np.divide(t3, t4, t4)
-        np.add(other36, t4, t4)
-        np.multiply(v31, t2, t2)
-        np.add(t4, t2, t2)
-        np.multiply(v23, t2, other36)
-        if some36:
-            np.copyto(t0, other36, where=~m0)
-    np.hypot(a, q, out)
-    np.multiply(out, out, out)
-    np.arctan2(q, a, t1)
-    np.multiply(out, t1, t1)
-    np.multiply(a, q, out)
-    np.add(t1, out, out)
-    np.multiply(v38, out, out)
-    np.subtract(t0, out, out)
-
-
-def prepare_force_of_a_q(theta, b, E_star, dgamma, sigma_0):
-    v7 = (4.0) * E_star
-    v8 = np.tan(theta)
-    v9 = v7 * v8
-    v11 = (3.0) * b
-    v12 = v9 / v11
-    v23 = E_star * v8
-    v25 = (4.0) * b
-    v31 = b / (3.0)
-    v38 = (2.0) * sigma_0
-    return (b, v12, v23, v25, v31, v38)
-
-
-def block_force_of_a_q(out, a, q, b, v12, v23, v25, v31, v38, t0, t1, t2, t3, t4, m0):
-    size = out.size
-    np.square(a, out)
-    largest_a = largest(a)
-    if largest_a == np.inf:
-        raise FloatingPointError
-    largest_q = largest(q)
-    if largest_q == np.inf:
-        raise FloatingPointError
-    np.less(a, b, m0)
-    some36 = np.count_nonzero(m0)
-    if some36:
-        np.multiply(a, out, t0)
-        np.multiply(v12, t0, t0)
-    if some36 != size:
-        other36 = t1 if some36 else t0
-        np.subtract(a, b, other36)
-        np.add(a, b, t2)
-        np.multiply(other36, t2, t2)
-        np.sqrt(t2, t2)
-        np.divide(t2, b, other36)
-        np.arctan(other36, other36)
-        np.multiply(out, other36, other36)
-        np.multiply(v25, out, t3)
-        np.add(t2, a, t4)
-        np.multiply(C1, t4, t4)
-        np.divide(t3, t4, t4)
-        np.add(other36, t4, t4)
-        np.multiply(v31, t2, t2)
-        np.add(t4, t2, t2)
-        np.multiply(v23, t2, other36)
-        if some36:
-            np.copyto(t0, other36, where=~m0)
-    np.hypot(a, q, out)
-    np.multiply(out, out, out)
-    np.arctan2(q, a, t1)
-    np.multiply(out, t1, t1)
-    np.multiply(a, q, out)
-    np.add(t1, out, out)
-    np.multiply(v38, out, out)
-    np.subtract(t0, out, out)
-
-
-def prepare_force_of_all():
+def prepare_force_of_all_signed():
     return ()
 
 
-def block_force_of_all(out, a, q, theta, b, E_star, dgamma, sigma_0, t0, t1, t2, t3, t4, t5, t6, m0):
+def block_force_of_all_signed(out, a, q, theta, b, E_star, dgamma, sigma_0, t0, t1, t2, t3, t4, t5, t6, m0):
     size = out.size
     np.tan(theta, out)
-    largest_a = largest(a)
-    if largest_a == np.inf:
-        raise FloatingPointError
-    largest_q = largest(q)
-    if largest_q == np.inf:
-        raise FloatingPointError
     np.square(a, t0)
     np.less(a, b, m0)
     some36 = np.count_nonzero(m0)
     if some36:
-        np.multiply(C2, E_star, t1)
+        np.multiply(C1, E_star, t1)
         np.multiply(t1, out, t1)
-        np.multiply(C1, b, t2)
+        np.multiply(C2, b, t2)
         np.divide(t1, t2, t2)
         np.multiply(a, t0, t1)
         np.multiply(t2, t1, t1)
@@ -231,13 +116,13 @@ def block_force_of_all(out, a, q, theta, b, E_star, dgamma, sigma_0, t0, t1, t2,
         np.arctan(other36, other36)
         np.multiply(E_star, out, t4)
         np.multiply(t0, other36, other36)
-        np.multiply(C2, b, t5)
+        np.multiply(C1, b, t5)
         np.multiply(t5, t0, t5)
         np.add(t3, a, t6)
-        np.multiply(C1, t6, t6)
+        np.multiply(C2, t6, t6)
         np.divide(t5, t6, t6)
         np.add(other36, t6, t6)
-        np.divide(b, C1, other36)
+        np.divide(b, C2, other36)
         np.multiply(other36, t3, t3)
         np.add(t6, t3, t3)
         np.multiply(t4, t3, other36)
@@ -268,12 +153,12 @@ def pressure(r, a, theta, b, E_star, dgamma, sigma_0):
 
 
 def pull_off_depth(a, q, theta, b, E_star, dgamma, sigma_0):
-    if a.__class__ is q.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (q > 1e-30) and (q < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+    if a.__class__ is q.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > -1e+30 and (a < 1e+30) and (q > -1e+30) and (q < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
             value = bodies._pull_off_depth(a, q, theta, b, E_star, dgamma, sigma_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, q, theta, b, E_star, dgamma, sigma_0):
+            if (value != value or value == 0.0) and ordinary(a, q, theta, b, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -294,12 +179,12 @@ def pull_off_radius(theta, b, E_star, dgamma, sigma_0, control):
 
 
 def pull_off_zone(a, theta, b, E_star, dgamma, sigma_0):
-    if a.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+    if a.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > -1e+30 and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
             value = bodies._pull_off_zone(a, theta, b, E_star, dgamma, sigma_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, theta, b, E_star, dgamma, sigma_0):
+            if (value != value or value == 0.0) and ordinary(a, theta, b, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -348,49 +233,50 @@ def without_contact_depth(c, theta, b, E_star, dgamma, sigma_0):
             else:
                 v26 = v8
             v27 = v8 - v26
-            v33 = tan(theta)
-            v36 = 2.0 * v33 / b
-            v42 = []
+            v34 = tan(theta)
+            v37 = 2.0 * v34 / b
+            v43 = []
             for node, weight in RULE_0(v27 / 1.0):
                 v29 = node * v27
                 v30 = v26 + v29
-                v40 = v36 * (v7 * cos(v30)) * v30 * sin(v30)
-                v42.append(weight * v40)
-            v42 = fsum(v42) * v27
-            v57 = 0.0 - b
-            v61 = sqrt((v57 if v57 > 0.0 or v57 != v57 else 0.0) * (0.0 + b))
-            v63 = v19 if v9 else hypot(v61, c)
-            v64 = v63 if v9 else c
-            v65 = v64 > 0.0
-            if v65:
-                v66 = v63 if v65 else b
-                v67 = v64 if v65 else b
-                v69 = asinh(b / v66)
-                v73 = 1.5707963267948966 / v69
-                v74 = atan2(v61, v67) / v69
-                v75 = asinh(v73)
-                v89 = asinh(atan2(v67, v61) / v69 * (v73 + v74) / (v73 * sqrt(1.0 + v74 * v74) + v74 * sqrt(1.0 + v73 * v73)))
-                v91 = 2.0 * v69
-                v103 = b * b
-                v109 = 2.0 * b
-                v124 = []
-                for node, weight in RULE_1(v89 / 1.0):
-                    v90 = node * v89
-                    v93 = 0.5 * v90
-                    v98 = v91 * cosh(v75 - v93) * sinh(v93)
-                    v100 = v66 * cos(v98)
-                    v102 = v66 * sin(v98)
-                    v106 = sqrt(v103 + v100 * v100)
-                    v122 = v33 * (atan(v100 / b) + v109 / (v100 + v106)) * v100 * v69 * cosh(v75 - v90) * atan2(v102, v106) * (v102 / v106)
-                    v124.append(weight * v122)
-                v124 = fsum(v124) * v89
-                v157 = 0.6366197723675814 * v124
+                v32 = v7 * cos(v30)
+                v41 = v37 * (v32 if v32 < b or v32 != v32 else b) * v30 * sin(v30)
+                v43.append(weight * v41)
+            v43 = fsum(v43) * v27
+            v59 = 0.0 - b
+            v63 = sqrt((v59 if v59 > 0.0 or v59 != v59 else 0.0) * (0.0 + b))
+            v65 = v19 if v9 else hypot(v63, c)
+            v66 = v65 if v9 else c
+            v67 = v66 > 0.0
+            if v67:
+                v68 = v65 if v67 else b
+                v69 = v66 if v67 else b
+                v71 = asinh(b / v68)
+                v75 = 1.5707963267948966 / v71
+                v76 = atan2(v63, v69) / v71
+                v77 = asinh(v75)
+                v91 = asinh(atan2(v69, v63) / v71 * (v75 + v76) / (v75 * sqrt(1.0 + v76 * v76) + v76 * sqrt(1.0 + v75 * v75)))
+                v93 = 2.0 * v71
+                v105 = b * b
+                v111 = 2.0 * b
+                v126 = []
+                for node, weight in RULE_1(v91 / 1.0):
+                    v92 = node * v91
+                    v95 = 0.5 * v92
+                    v100 = v93 * cosh(v77 - v95) * sinh(v95)
+                    v102 = v68 * cos(v100)
+                    v104 = v68 * sin(v100)
+                    v108 = sqrt(v105 + v102 * v102)
+                    v124 = v34 * (atan(v102 / b) + v111 / (v102 + v108)) * v102 * v71 * cosh(v77 - v92) * atan2(v104, v108) * (v104 / v108)
+                    v126.append(weight * v124)
+                v126 = fsum(v126) * v91
+                v159 = 0.6366197723675814 * v126
             else:
-                v157 = 0.0
-            v164 = sigma_0 / E_star
-            v168 = 0.6366197723675814 * v7 * v42 + v157 - dgamma / sigma_0 - 1.2732395447351628 * v164 * c
-            if v168 <= -(2.0 * v164 * c):
-                value = v168
+                v159 = 0.0
+            v166 = sigma_0 / E_star
+            v170 = 0.6366197723675814 * v7 * v43 + v159 - dgamma / sigma_0 - 1.2732395447351628 * v166 * c
+            if v170 <= -(2.0 * v166 * c):
+                value = v170
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 if value != value and ordinary(c, theta, b, E_star, dgamma, sigma_0):
@@ -423,47 +309,48 @@ def without_contact_force(c, theta, b, E_star, dgamma, sigma_0):
             else:
                 v26 = v8
             v27 = v8 - v26
-            v33 = tan(theta)
-            v36 = 2.0 * v33 / b
-            v42 = []
+            v34 = tan(theta)
+            v37 = 2.0 * v34 / b
+            v43 = []
             for node, weight in RULE_0(v27 / 1.0):
                 v29 = node * v27
                 v30 = v26 + v29
-                v40 = v36 * (v7 * cos(v30)) * v30 * sin(v30)
-                v42.append(weight * v40)
-            v42 = fsum(v42) * v27
-            v57 = 0.0 - b
-            v61 = sqrt((v57 if v57 > 0.0 or v57 != v57 else 0.0) * (0.0 + b))
-            v63 = v19 if v9 else hypot(v61, c)
-            v64 = v63 if v9 else c
-            v65 = v64 > 0.0
-            if v65:
-                v66 = v63 if v65 else b
-                v67 = v64 if v65 else b
-                v69 = asinh(b / v66)
-                v73 = 1.5707963267948966 / v69
-                v74 = atan2(v61, v67) / v69
-                v75 = asinh(v73)
-                v89 = asinh(atan2(v67, v61) / v69 * (v73 + v74) / (v73 * sqrt(1.0 + v74 * v74) + v74 * sqrt(1.0 + v73 * v73)))
-                v91 = 2.0 * v69
-                v103 = b * b
-                v109 = 2.0 * b
-                v124 = []
-                for node, weight in RULE_1(v89 / 1.0):
-                    v90 = node * v89
-                    v93 = 0.5 * v90
-                    v98 = v91 * cosh(v75 - v93) * sinh(v93)
-                    v100 = v66 * cos(v98)
-                    v102 = v66 * sin(v98)
-                    v106 = sqrt(v103 + v100 * v100)
-                    v122 = v33 * (atan(v100 / b) + v109 / (v100 + v106)) * v100 * v69 * cosh(v75 - v90) * atan2(v102, v106) * (v102 / v106)
-                    v124.append(weight * v122)
-                v124 = fsum(v124) * v89
-                v157 = 0.6366197723675814 * v124
+                v32 = v7 * cos(v30)
+                v41 = v37 * (v32 if v32 < b or v32 != v32 else b) * v30 * sin(v30)
+                v43.append(weight * v41)
+            v43 = fsum(v43) * v27
+            v59 = 0.0 - b
+            v63 = sqrt((v59 if v59 > 0.0 or v59 != v59 else 0.0) * (0.0 + b))
+            v65 = v19 if v9 else hypot(v63, c)
+            v66 = v65 if v9 else c
+            v67 = v66 > 0.0
+            if v67:
+                v68 = v65 if v67 else b
+                v69 = v66 if v67 else b
+                v71 = asinh(b / v68)
+                v75 = 1.5707963267948966 / v71
+                v76 = atan2(v63, v69) / v71
+                v77 = asinh(v75)
+                v91 = asinh(atan2(v69, v63) / v71 * (v75 + v76) / (v75 * sqrt(1.0 + v76 * v76) + v76 * sqrt(1.0 + v75 * v75)))
+                v93 = 2.0 * v71
+                v105 = b * b
+                v111 = 2.0 * b
+                v126 = []
+                for node, weight in RULE_1(v91 / 1.0):
+                    v92 = node * v91
+                    v95 = 0.5 * v92
+                    v100 = v93 * cosh(v77 - v95) * sinh(v95)
+                    v102 = v68 * cos(v100)
+                    v104 = v68 * sin(v100)
+                    v108 = sqrt(v105 + v102 * v102)
+                    v124 = v34 * (atan(v102 / b) + v111 / (v102 + v108)) * v102 * v71 * cosh(v77 - v92) * atan2(v104, v108) * (v104 / v108)
+                    v126.append(weight * v124)
+                v126 = fsum(v126) * v91
+                v159 = 0.6366197723675814 * v126
             else:
-                v157 = 0.0
-            v164 = sigma_0 / E_star
-            if 0.6366197723675814 * v7 * v42 + v157 - dgamma / sigma_0 - 1.2732395447351628 * v164 * c <= -(2.0 * v164 * c):
+                v159 = 0.0
+            v166 = sigma_0 / E_star
+            if 0.6366197723675814 * v7 * v43 + v159 - dgamma / sigma_0 - 1.2732395447351628 * v166 * c <= -(2.0 * v166 * c):
                 value = -3.141592653589793 * sigma_0 * c * c
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
@@ -499,46 +386,47 @@ def work_of_separation(a, c, theta, b, E_star, sigma_0):
             else:
                 v31 = v13
             v32 = v13 - v31
-            v38 = tan(theta)
-            v41 = 2.0 * v38 / b
-            v47 = []
+            v39 = tan(theta)
+            v42 = 2.0 * v39 / b
+            v48 = []
             for node, weight in RULE_0(v32 / 1.0):
                 v34 = node * v32
                 v35 = v31 + v34
-                v45 = v41 * (v12 * cos(v35)) * v35 * sin(v35)
-                v47.append(weight * v45)
-            v47 = fsum(v47) * v32
-            v62 = a - b
-            v66 = sqrt((v62 if v62 > 0.0 or v62 != v62 else 0.0) * (a + b))
-            v68 = v24 if v14 else hypot(v66, v11)
-            v69 = v68 if v14 else v11
-            v70 = v69 > 0.0
-            if v70:
-                v71 = v68 if v70 else b
-                v72 = v69 if v70 else b
-                v74 = asinh(b / v71)
-                v78 = 1.5707963267948966 / v74
-                v79 = atan2(v66, v72) / v74
-                v80 = asinh(v78)
-                v94 = asinh(atan2(v72, v66) / v74 * (v78 + v79) / (v78 * sqrt(1.0 + v79 * v79) + v79 * sqrt(1.0 + v78 * v78)))
-                v96 = 2.0 * v74
-                v108 = b * b
-                v114 = 2.0 * b
-                v129 = []
-                for node, weight in RULE_1(v94 / 1.0):
-                    v95 = node * v94
-                    v98 = 0.5 * v95
-                    v103 = v96 * cosh(v80 - v98) * sinh(v98)
-                    v105 = v71 * cos(v103)
-                    v107 = v71 * sin(v103)
-                    v111 = sqrt(v108 + v105 * v105)
-                    v127 = v38 * (atan(v105 / b) + v114 / (v105 + v111)) * v105 * v74 * cosh(v80 - v95) * atan2(v107, v111) * (v107 / v111)
-                    v129.append(weight * v127)
-                v129 = fsum(v129) * v94
-                v162 = 0.6366197723675814 * v129
+                v37 = v12 * cos(v35)
+                v46 = v42 * (v37 if v37 < b or v37 != v37 else b) * v35 * sin(v35)
+                v48.append(weight * v46)
+            v48 = fsum(v48) * v32
+            v64 = a - b
+            v68 = sqrt((v64 if v64 > 0.0 or v64 != v64 else 0.0) * (a + b))
+            v70 = v24 if v14 else hypot(v68, v11)
+            v71 = v70 if v14 else v11
+            v72 = v71 > 0.0
+            if v72:
+                v73 = v70 if v72 else b
+                v74 = v71 if v72 else b
+                v76 = asinh(b / v73)
+                v80 = 1.5707963267948966 / v76
+                v81 = atan2(v68, v74) / v76
+                v82 = asinh(v80)
+                v96 = asinh(atan2(v74, v68) / v76 * (v80 + v81) / (v80 * sqrt(1.0 + v81 * v81) + v81 * sqrt(1.0 + v80 * v80)))
+                v98 = 2.0 * v76
+                v110 = b * b
+                v116 = 2.0 * b
+                v131 = []
+                for node, weight in RULE_1(v96 / 1.0):
+                    v97 = node * v96
+                    v100 = 0.5 * v97
+                    v105 = v98 * cosh(v82 - v100) * sinh(v100)
+                    v107 = v73 * cos(v105)
+                    v109 = v73 * sin(v105)
+                    v113 = sqrt(v110 + v107 * v107)
+                    v129 = v39 * (atan(v107 / b) + v116 / (v107 + v113)) * v107 * v76 * cosh(v82 - v97) * atan2(v109, v113) * (v109 / v113)
+                    v131.append(weight * v129)
+                v131 = fsum(v131) * v96
+                v164 = 0.6366197723675814 * v131
             else:
-                v162 = 0.0
-            value = sigma_0 * (0.6366197723675814 * v12 * v47 + v162 + 1.2732395447351628 * (sigma_0 / E_star) * v11 * (v13 - v11 / (v12 + a)))
+                v164 = 0.0
+            value = sigma_0 * (0.6366197723675814 * v12 * v48 + v164 + 1.2732395447351628 * (sigma_0 / E_star) * v11 * (v13 - v11 / (v12 + a)))
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             if value != value and ordinary(a, c, theta, b, E_star, sigma_0):
@@ -550,9 +438,7 @@ def work_of_separation(a, c, theta, b, E_star, sigma_0):
 
 
 BLOCKS = {
-    ('_force_of', 2, 'a', 'q', 'theta', 'b', 'E_star', 'dgamma', 'sigma_0'): {
-        ('a',): (('a',), prepare_force_of_a, block_force_of_a, 5, 1, (), False),
-        ('a', 'q'): (('a', 'q'), prepare_force_of_a_q, block_force_of_a_q, 5, 1, (), False),
-        ('a', 'q', 'theta', 'b', 'E_star', 'dgamma', 'sigma_0'): (('a', 'q', 'theta', 'b', 'E_star', 'dgamma', 'sigma_0'), prepare_force_of_all, block_force_of_all, 7, 1, (), False),
+    ('_force_of', 0, 'a', 'q', 'theta', 'b', 'E_star', 'dgamma', 'sigma_0'): {
+        ('a', 'q', 'theta', 'b', 'E_star', 'dgamma', 'sigma_0'): (('a', 'q', 'theta', 'b', 'E_star', 'dgamma', 'sigma_0'), prepare_force_of_all_signed, block_force_of_all_signed, 7, 1, (), False),
     },
 }

@@ -10,22 +10,22 @@ from ..._runtime.interface import largest, ordinary
 from ..._runtime.plain import rule
 from ..._programs.bodies.cohesive import rounded_curved_punch as bodies
 
-C0 = np.array(2.0)
-C1 = np.array(4.0)
-C2 = np.array(0.42)
-C3 = np.array(0.0005288491342179178)
-C4 = np.array(0.038096760299703034)
-C5 = np.array(0.4065213849117787)
-C6 = np.array(1.438682033198726)
-C7 = np.array(1.9979042349620892)
-C8 = np.array(0.9428090415820634)
-C9 = np.array(0.006421883194715949)
-C10 = np.array(0.15001504718401248)
-C11 = np.array(0.9450913324352289)
-C12 = np.array(2.37401087025821)
-C13 = np.array(2.569097449054519)
-C14 = np.array(1.0)
-C15 = np.array(3.0)
+C0 = np.array(3.0)
+C1 = np.array(2.0)
+C2 = np.array(4.0)
+C3 = np.array(0.42)
+C4 = np.array(0.0005288491342179178)
+C5 = np.array(0.038096760299703034)
+C6 = np.array(0.4065213849117787)
+C7 = np.array(1.438682033198726)
+C8 = np.array(1.9979042349620892)
+C9 = np.array(0.9428090415820634)
+C10 = np.array(0.006421883194715949)
+C11 = np.array(0.15001504718401248)
+C12 = np.array(0.9450913324352289)
+C13 = np.array(2.37401087025821)
+C14 = np.array(2.569097449054519)
+C15 = np.array(1.0)
 RULE_0 = rule(((inf, 16),))
 RULE_1 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
 
@@ -111,196 +111,19 @@ def force_of(a, q, R1, R2, b, E_star, dgamma, sigma_0):
     return None
 
 
-def prepare_force_of_a(q, R1, R2, b, E_star, dgamma, sigma_0):
-    v8 = (4.0) * E_star
-    v10 = (3.0) * R1
-    v11 = v8 / v10
-    v22 = b / R2
-    v71 = (3.0) * R2
-    v78 = (2.0) * sigma_0
-    return (q, b, E_star, v10, v11, v22, v71, v78)
-
-
-def block_force_of_a(out, a, q, b, E_star, v10, v11, v22, v71, v78, t0, t1, t2, t3, t4, t5, t6, t7, t8, t9, t10, m0, m1, f0):
-    size = out.size
-    np.square(a, out)
-    largest_a = largest(a)
-    if largest_a == np.inf:
-        raise FloatingPointError
-    np.multiply(a, out, t0)
-    np.less(a, b, m0)
-    some76 = np.count_nonzero(m0)
-    if some76:
-        np.multiply(v11, t0, t1)
-    if some76 != size:
-        other76 = t2 if some76 else t1
-        np.subtract(a, b, other76)
-        np.add(a, b, t3)
-        np.multiply(other76, t3, t3)
-        np.sqrt(t3, t4)
-        np.multiply(C1, t0, t5)
-        np.divide(t5, v10, t5)
-        np.multiply(v22, out, t6)
-        np.divide(other76, b, other76)
-        np.less(other76, C2, m1)
-        some67 = np.count_nonzero(m1)
-        if some67:
-            np.minimum(other76, f0, out=t7)
-            np.sqrt(t7, t8)
-            np.multiply(t7, t8, t8)
-            np.multiply(C3, t7, t9)
-            np.add(t9, C4, t9)
-            np.multiply(t9, t7, t9)
-            np.add(t9, C5, t9)
-            np.multiply(t9, t7, t9)
-            np.add(t9, C6, t9)
-            np.multiply(t9, t7, t9)
-            np.add(t9, C7, t9)
-            np.multiply(t9, t7, t9)
-            np.add(t9, C8, t9)
-            np.multiply(C9, t7, t10)
-            np.add(t10, C10, t10)
-            np.multiply(t10, t7, t10)
-            np.add(t10, C11, t10)
-            np.multiply(t10, t7, t10)
-            np.add(t10, C12, t10)
-            np.multiply(t10, t7, t10)
-            np.add(t10, C13, t10)
-            np.multiply(t10, t7, t7)
-            np.add(t7, C14, t7)
-            np.divide(t9, t7, t7)
-            np.multiply(t8, t7, t7)
-        if some67 != size:
-            other67 = t8 if some67 else t7
-            np.divide(t4, b, other67)
-            np.arctan(other67, t9)
-            np.subtract(other67, t9, other67)
-            if some67:
-                np.copyto(t7, other67, where=~m1)
-        np.multiply(t6, t7, t7)
-        np.add(t5, t7, t7)
-        np.multiply(t3, t4, t4)
-        np.divide(t4, v71, t4)
-        np.add(t7, t4, t4)
-        np.multiply(E_star, t4, other76)
-        if some76:
-            np.copyto(t1, other76, where=~m0)
-    np.hypot(a, q, t0)
-    np.multiply(t0, t0, t0)
-    np.arctan2(q, a, out)
-    np.multiply(t0, out, out)
-    np.multiply(a, q, t0)
-    np.add(out, t0, t0)
-    np.multiply(v78, t0, t0)
-    np.subtract(t1, t0, out)
-
-
-def prepare_force_of_a_q(R1, R2, b, E_star, dgamma, sigma_0):
-    v8 = (4.0) * E_star
-    v10 = (3.0) * R1
-    v11 = v8 / v10
-    v22 = b / R2
-    v71 = (3.0) * R2
-    v78 = (2.0) * sigma_0
-    return (b, E_star, v10, v11, v22, v71, v78)
-
-
-def block_force_of_a_q(out, a, q, b, E_star, v10, v11, v22, v71, v78, t0, t1, t2, t3, t4, t5, t6, t7, t8, t9, t10, m0, m1, f0):
-    size = out.size
-    np.square(a, out)
-    largest_a = largest(a)
-    if largest_a == np.inf:
-        raise FloatingPointError
-    largest_q = largest(q)
-    if largest_q == np.inf:
-        raise FloatingPointError
-    np.multiply(a, out, t0)
-    np.less(a, b, m0)
-    some76 = np.count_nonzero(m0)
-    if some76:
-        np.multiply(v11, t0, t1)
-    if some76 != size:
-        other76 = t2 if some76 else t1
-        np.subtract(a, b, other76)
-        np.add(a, b, t3)
-        np.multiply(other76, t3, t3)
-        np.sqrt(t3, t4)
-        np.multiply(C1, t0, t5)
-        np.divide(t5, v10, t5)
-        np.multiply(v22, out, t6)
-        np.divide(other76, b, other76)
-        np.less(other76, C2, m1)
-        some67 = np.count_nonzero(m1)
-        if some67:
-            np.minimum(other76, f0, out=t7)
-            np.sqrt(t7, t8)
-            np.multiply(t7, t8, t8)
-            np.multiply(C3, t7, t9)
-            np.add(t9, C4, t9)
-            np.multiply(t9, t7, t9)
-            np.add(t9, C5, t9)
-            np.multiply(t9, t7, t9)
-            np.add(t9, C6, t9)
-            np.multiply(t9, t7, t9)
-            np.add(t9, C7, t9)
-            np.multiply(t9, t7, t9)
-            np.add(t9, C8, t9)
-            np.multiply(C9, t7, t10)
-            np.add(t10, C10, t10)
-            np.multiply(t10, t7, t10)
-            np.add(t10, C11, t10)
-            np.multiply(t10, t7, t10)
-            np.add(t10, C12, t10)
-            np.multiply(t10, t7, t10)
-            np.add(t10, C13, t10)
-            np.multiply(t10, t7, t7)
-            np.add(t7, C14, t7)
-            np.divide(t9, t7, t7)
-            np.multiply(t8, t7, t7)
-        if some67 != size:
-            other67 = t8 if some67 else t7
-            np.divide(t4, b, other67)
-            np.arctan(other67, t9)
-            np.subtract(other67, t9, other67)
-            if some67:
-                np.copyto(t7, other67, where=~m1)
-        np.multiply(t6, t7, t7)
-        np.add(t5, t7, t7)
-        np.multiply(t3, t4, t4)
-        np.divide(t4, v71, t4)
-        np.add(t7, t4, t4)
-        np.multiply(E_star, t4, other76)
-        if some76:
-            np.copyto(t1, other76, where=~m0)
-    np.hypot(a, q, t0)
-    np.multiply(t0, t0, t0)
-    np.arctan2(q, a, out)
-    np.multiply(t0, out, out)
-    np.multiply(a, q, t0)
-    np.add(out, t0, t0)
-    np.multiply(v78, t0, t0)
-    np.subtract(t1, t0, out)
-
-
-def prepare_force_of_all():
+def prepare_force_of_all_signed():
     return ()
 
 
-def block_force_of_all(out, a, q, R1, R2, b, E_star, dgamma, sigma_0, t0, t1, t2, t3, t4, t5, t6, t7, t8, t9, t10, t11, m0, m1, f0):
+def block_force_of_all_signed(out, a, q, R1, R2, b, E_star, dgamma, sigma_0, t0, t1, t2, t3, t4, t5, t6, t7, t8, t9, t10, t11, m0, m1, f0):
     size = out.size
-    np.multiply(C15, R1, out)
-    largest_a = largest(a)
-    if largest_a == np.inf:
-        raise FloatingPointError
-    largest_q = largest(q)
-    if largest_q == np.inf:
-        raise FloatingPointError
+    np.multiply(C0, R1, out)
     np.square(a, t0)
     np.multiply(a, t0, t1)
     np.less(a, b, m0)
     some76 = np.count_nonzero(m0)
     if some76:
-        np.multiply(C1, E_star, t2)
+        np.multiply(C2, E_star, t2)
         np.divide(t2, out, t2)
         np.multiply(t2, t1, t2)
     if some76 != size:
@@ -309,20 +132,18 @@ def block_force_of_all(out, a, q, R1, R2, b, E_star, dgamma, sigma_0, t0, t1, t2
         np.add(a, b, t4)
         np.multiply(other76, t4, t4)
         np.sqrt(t4, t5)
-        np.multiply(C1, t1, t6)
+        np.multiply(C2, t1, t6)
         np.divide(t6, out, t6)
         np.divide(b, R2, t7)
         np.multiply(t7, t0, t7)
         np.divide(other76, b, other76)
-        np.less(other76, C2, m1)
+        np.less(other76, C3, m1)
         some67 = np.count_nonzero(m1)
         if some67:
             np.minimum(other76, f0, out=t8)
             np.sqrt(t8, t9)
             np.multiply(t8, t9, t9)
-            np.multiply(C3, t8, t10)
-            np.add(t10, C4, t10)
-            np.multiply(t10, t8, t10)
+            np.multiply(C4, t8, t10)
             np.add(t10, C5, t10)
             np.multiply(t10, t8, t10)
             np.add(t10, C6, t10)
@@ -330,16 +151,18 @@ def block_force_of_all(out, a, q, R1, R2, b, E_star, dgamma, sigma_0, t0, t1, t2
             np.add(t10, C7, t10)
             np.multiply(t10, t8, t10)
             np.add(t10, C8, t10)
-            np.multiply(C9, t8, t11)
-            np.add(t11, C10, t11)
-            np.multiply(t11, t8, t11)
+            np.multiply(t10, t8, t10)
+            np.add(t10, C9, t10)
+            np.multiply(C10, t8, t11)
             np.add(t11, C11, t11)
             np.multiply(t11, t8, t11)
             np.add(t11, C12, t11)
             np.multiply(t11, t8, t11)
             np.add(t11, C13, t11)
+            np.multiply(t11, t8, t11)
+            np.add(t11, C14, t11)
             np.multiply(t11, t8, t8)
-            np.add(t8, C14, t8)
+            np.add(t8, C15, t8)
             np.divide(t10, t8, t8)
             np.multiply(t9, t8, t8)
         if some67 != size:
@@ -352,14 +175,14 @@ def block_force_of_all(out, a, q, R1, R2, b, E_star, dgamma, sigma_0, t0, t1, t2
         np.multiply(t7, t8, t8)
         np.add(t6, t8, t8)
         np.multiply(t4, t5, t5)
-        np.multiply(C15, R2, t4)
+        np.multiply(C0, R2, t4)
         np.divide(t5, t4, t4)
         np.add(t8, t4, t4)
         np.multiply(E_star, t4, other76)
         if some76:
             np.copyto(t2, other76, where=~m0)
     np.hypot(a, q, t1)
-    np.multiply(C0, sigma_0, t0)
+    np.multiply(C1, sigma_0, t0)
     np.multiply(t1, t1, t1)
     np.arctan2(q, a, out)
     np.multiply(t1, out, out)
@@ -383,12 +206,12 @@ def pressure(r, a, R1, R2, b, E_star, dgamma, sigma_0):
 
 
 def pull_off_depth(a, q, R1, R2, b, E_star, dgamma, sigma_0):
-    if a.__class__ is q.__class__ is R1.__class__ is R2.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (q > 1e-30) and (q < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+    if a.__class__ is q.__class__ is R1.__class__ is R2.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > -1e+30 and (a < 1e+30) and (q > -1e+30) and (q < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
             value = bodies._pull_off_depth(a, q, R1, R2, b, E_star, dgamma, sigma_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, q, R1, R2, b, E_star, dgamma, sigma_0):
+            if (value != value or value == 0.0) and ordinary(a, q, R1, R2, b, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -409,12 +232,12 @@ def pull_off_radius(R1, R2, b, E_star, dgamma, sigma_0, control):
 
 
 def pull_off_zone(a, R1, R2, b, E_star, dgamma, sigma_0):
-    if a.__class__ is R1.__class__ is R2.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+    if a.__class__ is R1.__class__ is R2.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > -1e+30 and (a < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
             value = bodies._pull_off_zone(a, R1, R2, b, E_star, dgamma, sigma_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, R1, R2, b, E_star, dgamma, sigma_0):
+            if (value != value or value == 0.0) and ordinary(a, R1, R2, b, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -463,47 +286,48 @@ def without_contact_depth(c, R1, R2, b, E_star, dgamma, sigma_0):
             else:
                 v27 = v9
             v28 = v9 - v27
-            v41 = []
+            v42 = []
             for node, weight in RULE_0(v28 / 1.0):
                 v30 = node * v28
                 v31 = v27 + v30
-                v39 = 2.0 * (v8 * cos(v31)) / R1 * v31 * sin(v31)
-                v41.append(weight * v39)
-            v41 = fsum(v41) * v28
-            v57 = 0.0 - b
-            v61 = sqrt((v57 if v57 > 0.0 or v57 != v57 else 0.0) * (0.0 + b))
-            v63 = v20 if v10 else hypot(v61, c)
-            v64 = v63 if v10 else c
-            v65 = v64 > 0.0
-            if v65:
-                v66 = v63 if v65 else b
-                v67 = v64 if v65 else b
-                v69 = asinh(b / v66)
-                v73 = 1.5707963267948966 / v69
-                v74 = atan2(v61, v67) / v69
-                v75 = asinh(v73)
-                v89 = asinh(atan2(v67, v61) / v69 * (v73 + v74) / (v73 * sqrt(1.0 + v74 * v74) + v74 * sqrt(1.0 + v73 * v73)))
-                v91 = 2.0 * v69
-                v103 = b * b
-                v113 = b / R2
-                v126 = []
-                for node, weight in RULE_1(v89 / 1.0):
-                    v90 = node * v89
-                    v93 = 0.5 * v90
-                    v98 = v91 * cosh(v75 - v93) * sinh(v93)
-                    v100 = v66 * cos(v98)
-                    v102 = v66 * sin(v98)
-                    v106 = sqrt(v103 + v100 * v100)
-                    v124 = (2.0 * v106 / R1 + 2.0 * v100 / R2 - v113 * atan2(v100, b)) * v100 * v69 * cosh(v75 - v90) * atan2(v102, v106) * (v102 / v106)
-                    v126.append(weight * v124)
-                v126 = fsum(v126) * v89
-                v161 = 0.6366197723675814 * v126
+                v33 = v8 * cos(v31)
+                v40 = 2.0 * (v33 if v33 < b or v33 != v33 else b) / R1 * v31 * sin(v31)
+                v42.append(weight * v40)
+            v42 = fsum(v42) * v28
+            v59 = 0.0 - b
+            v63 = sqrt((v59 if v59 > 0.0 or v59 != v59 else 0.0) * (0.0 + b))
+            v65 = v20 if v10 else hypot(v63, c)
+            v66 = v65 if v10 else c
+            v67 = v66 > 0.0
+            if v67:
+                v68 = v65 if v67 else b
+                v69 = v66 if v67 else b
+                v71 = asinh(b / v68)
+                v75 = 1.5707963267948966 / v71
+                v76 = atan2(v63, v69) / v71
+                v77 = asinh(v75)
+                v91 = asinh(atan2(v69, v63) / v71 * (v75 + v76) / (v75 * sqrt(1.0 + v76 * v76) + v76 * sqrt(1.0 + v75 * v75)))
+                v93 = 2.0 * v71
+                v105 = b * b
+                v115 = b / R2
+                v128 = []
+                for node, weight in RULE_1(v91 / 1.0):
+                    v92 = node * v91
+                    v95 = 0.5 * v92
+                    v100 = v93 * cosh(v77 - v95) * sinh(v95)
+                    v102 = v68 * cos(v100)
+                    v104 = v68 * sin(v100)
+                    v108 = sqrt(v105 + v102 * v102)
+                    v126 = (2.0 * v108 / R1 + 2.0 * v102 / R2 - v115 * atan2(v102, b)) * v102 * v71 * cosh(v77 - v92) * atan2(v104, v108) * (v104 / v108)
+                    v128.append(weight * v126)
+                v128 = fsum(v128) * v91
+                v163 = 0.6366197723675814 * v128
             else:
-                v161 = 0.0
-            v168 = sigma_0 / E_star
-            v172 = 0.6366197723675814 * v8 * v41 + v161 - dgamma / sigma_0 - 1.2732395447351628 * v168 * c
-            if v172 <= -(2.0 * v168 * c):
-                value = v172
+                v163 = 0.0
+            v170 = sigma_0 / E_star
+            v174 = 0.6366197723675814 * v8 * v42 + v163 - dgamma / sigma_0 - 1.2732395447351628 * v170 * c
+            if v174 <= -(2.0 * v170 * c):
+                value = v174
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 if value != value and ordinary(c, R1, R2, b, E_star, dgamma, sigma_0):
@@ -536,45 +360,46 @@ def without_contact_force(c, R1, R2, b, E_star, dgamma, sigma_0):
             else:
                 v27 = v9
             v28 = v9 - v27
-            v41 = []
+            v42 = []
             for node, weight in RULE_0(v28 / 1.0):
                 v30 = node * v28
                 v31 = v27 + v30
-                v39 = 2.0 * (v8 * cos(v31)) / R1 * v31 * sin(v31)
-                v41.append(weight * v39)
-            v41 = fsum(v41) * v28
-            v57 = 0.0 - b
-            v61 = sqrt((v57 if v57 > 0.0 or v57 != v57 else 0.0) * (0.0 + b))
-            v63 = v20 if v10 else hypot(v61, c)
-            v64 = v63 if v10 else c
-            v65 = v64 > 0.0
-            if v65:
-                v66 = v63 if v65 else b
-                v67 = v64 if v65 else b
-                v69 = asinh(b / v66)
-                v73 = 1.5707963267948966 / v69
-                v74 = atan2(v61, v67) / v69
-                v75 = asinh(v73)
-                v89 = asinh(atan2(v67, v61) / v69 * (v73 + v74) / (v73 * sqrt(1.0 + v74 * v74) + v74 * sqrt(1.0 + v73 * v73)))
-                v91 = 2.0 * v69
-                v103 = b * b
-                v113 = b / R2
-                v126 = []
-                for node, weight in RULE_1(v89 / 1.0):
-                    v90 = node * v89
-                    v93 = 0.5 * v90
-                    v98 = v91 * cosh(v75 - v93) * sinh(v93)
-                    v100 = v66 * cos(v98)
-                    v102 = v66 * sin(v98)
-                    v106 = sqrt(v103 + v100 * v100)
-                    v124 = (2.0 * v106 / R1 + 2.0 * v100 / R2 - v113 * atan2(v100, b)) * v100 * v69 * cosh(v75 - v90) * atan2(v102, v106) * (v102 / v106)
-                    v126.append(weight * v124)
-                v126 = fsum(v126) * v89
-                v161 = 0.6366197723675814 * v126
+                v33 = v8 * cos(v31)
+                v40 = 2.0 * (v33 if v33 < b or v33 != v33 else b) / R1 * v31 * sin(v31)
+                v42.append(weight * v40)
+            v42 = fsum(v42) * v28
+            v59 = 0.0 - b
+            v63 = sqrt((v59 if v59 > 0.0 or v59 != v59 else 0.0) * (0.0 + b))
+            v65 = v20 if v10 else hypot(v63, c)
+            v66 = v65 if v10 else c
+            v67 = v66 > 0.0
+            if v67:
+                v68 = v65 if v67 else b
+                v69 = v66 if v67 else b
+                v71 = asinh(b / v68)
+                v75 = 1.5707963267948966 / v71
+                v76 = atan2(v63, v69) / v71
+                v77 = asinh(v75)
+                v91 = asinh(atan2(v69, v63) / v71 * (v75 + v76) / (v75 * sqrt(1.0 + v76 * v76) + v76 * sqrt(1.0 + v75 * v75)))
+                v93 = 2.0 * v71
+                v105 = b * b
+                v115 = b / R2
+                v128 = []
+                for node, weight in RULE_1(v91 / 1.0):
+                    v92 = node * v91
+                    v95 = 0.5 * v92
+                    v100 = v93 * cosh(v77 - v95) * sinh(v95)
+                    v102 = v68 * cos(v100)
+                    v104 = v68 * sin(v100)
+                    v108 = sqrt(v105 + v102 * v102)
+                    v126 = (2.0 * v108 / R1 + 2.0 * v102 / R2 - v115 * atan2(v102, b)) * v102 * v71 * cosh(v77 - v92) * atan2(v104, v108) * (v104 / v108)
+                    v128.append(weight * v126)
+                v128 = fsum(v128) * v91
+                v163 = 0.6366197723675814 * v128
             else:
-                v161 = 0.0
-            v168 = sigma_0 / E_star
-            if 0.6366197723675814 * v8 * v41 + v161 - dgamma / sigma_0 - 1.2732395447351628 * v168 * c <= -(2.0 * v168 * c):
+                v163 = 0.0
+            v170 = sigma_0 / E_star
+            if 0.6366197723675814 * v8 * v42 + v163 - dgamma / sigma_0 - 1.2732395447351628 * v170 * c <= -(2.0 * v170 * c):
                 value = -3.141592653589793 * sigma_0 * c * c
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
@@ -610,44 +435,45 @@ def work_of_separation(a, c, R1, R2, b, E_star, sigma_0):
             else:
                 v32 = v14
             v33 = v14 - v32
-            v46 = []
+            v47 = []
             for node, weight in RULE_0(v33 / 1.0):
                 v35 = node * v33
                 v36 = v32 + v35
-                v44 = 2.0 * (v13 * cos(v36)) / R1 * v36 * sin(v36)
-                v46.append(weight * v44)
-            v46 = fsum(v46) * v33
-            v62 = a - b
-            v66 = sqrt((v62 if v62 > 0.0 or v62 != v62 else 0.0) * (a + b))
-            v68 = v25 if v15 else hypot(v66, v12)
-            v69 = v68 if v15 else v12
-            v70 = v69 > 0.0
-            if v70:
-                v71 = v68 if v70 else b
-                v72 = v69 if v70 else b
-                v74 = asinh(b / v71)
-                v78 = 1.5707963267948966 / v74
-                v79 = atan2(v66, v72) / v74
-                v80 = asinh(v78)
-                v94 = asinh(atan2(v72, v66) / v74 * (v78 + v79) / (v78 * sqrt(1.0 + v79 * v79) + v79 * sqrt(1.0 + v78 * v78)))
-                v96 = 2.0 * v74
-                v108 = b * b
-                v118 = b / R2
-                v131 = []
-                for node, weight in RULE_1(v94 / 1.0):
-                    v95 = node * v94
-                    v98 = 0.5 * v95
-                    v103 = v96 * cosh(v80 - v98) * sinh(v98)
-                    v105 = v71 * cos(v103)
-                    v107 = v71 * sin(v103)
-                    v111 = sqrt(v108 + v105 * v105)
-                    v129 = (2.0 * v111 / R1 + 2.0 * v105 / R2 - v118 * atan2(v105, b)) * v105 * v74 * cosh(v80 - v95) * atan2(v107, v111) * (v107 / v111)
-                    v131.append(weight * v129)
-                v131 = fsum(v131) * v94
-                v166 = 0.6366197723675814 * v131
+                v38 = v13 * cos(v36)
+                v45 = 2.0 * (v38 if v38 < b or v38 != v38 else b) / R1 * v36 * sin(v36)
+                v47.append(weight * v45)
+            v47 = fsum(v47) * v33
+            v64 = a - b
+            v68 = sqrt((v64 if v64 > 0.0 or v64 != v64 else 0.0) * (a + b))
+            v70 = v25 if v15 else hypot(v68, v12)
+            v71 = v70 if v15 else v12
+            v72 = v71 > 0.0
+            if v72:
+                v73 = v70 if v72 else b
+                v74 = v71 if v72 else b
+                v76 = asinh(b / v73)
+                v80 = 1.5707963267948966 / v76
+                v81 = atan2(v68, v74) / v76
+                v82 = asinh(v80)
+                v96 = asinh(atan2(v74, v68) / v76 * (v80 + v81) / (v80 * sqrt(1.0 + v81 * v81) + v81 * sqrt(1.0 + v80 * v80)))
+                v98 = 2.0 * v76
+                v110 = b * b
+                v120 = b / R2
+                v133 = []
+                for node, weight in RULE_1(v96 / 1.0):
+                    v97 = node * v96
+                    v100 = 0.5 * v97
+                    v105 = v98 * cosh(v82 - v100) * sinh(v100)
+                    v107 = v73 * cos(v105)
+                    v109 = v73 * sin(v105)
+                    v113 = sqrt(v110 + v107 * v107)
+                    v131 = (2.0 * v113 / R1 + 2.0 * v107 / R2 - v120 * atan2(v107, b)) * v107 * v76 * cosh(v82 - v97) * atan2(v109, v113) * (v109 / v113)
+                    v133.append(weight * v131)
+                v133 = fsum(v133) * v96
+                v168 = 0.6366197723675814 * v133
             else:
-                v166 = 0.0
-            value = sigma_0 * (0.6366197723675814 * v13 * v46 + v166 + 1.2732395447351628 * (sigma_0 / E_star) * v12 * (v14 - v12 / (v13 + a)))
+                v168 = 0.0
+            value = sigma_0 * (0.6366197723675814 * v13 * v47 + v168 + 1.2732395447351628 * (sigma_0 / E_star) * v12 * (v14 - v12 / (v13 + a)))
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             if value != value and ordinary(a, c, R1, R2, b, E_star, sigma_0):
@@ -659,9 +485,7 @@ def work_of_separation(a, c, R1, R2, b, E_star, sigma_0):
 
 
 BLOCKS = {
-    ('_force_of', 2, 'a', 'q', 'R1', 'R2', 'b', 'E_star', 'dgamma', 'sigma_0'): {
-        ('a',): (('a',), prepare_force_of_a, block_force_of_a, 11, 2, (0.42,), False),
-        ('a', 'q'): (('a', 'q'), prepare_force_of_a_q, block_force_of_a_q, 11, 2, (0.42,), False),
-        ('a', 'q', 'R1', 'R2', 'b', 'E_star', 'dgamma', 'sigma_0'): (('a', 'q', 'R1', 'R2', 'b', 'E_star', 'dgamma', 'sigma_0'), prepare_force_of_all, block_force_of_all, 12, 2, (0.42,), False),
+    ('_force_of', 0, 'a', 'q', 'R1', 'R2', 'b', 'E_star', 'dgamma', 'sigma_0'): {
+        ('a', 'q', 'R1', 'R2', 'b', 'E_star', 'dgamma', 'sigma_0'): (('a', 'q', 'R1', 'R2', 'b', 'E_star', 'dgamma', 'sigma_0'), prepare_force_of_all_signed, block_force_of_all_signed, 12, 2, (0.42,), False),
     },
 }

@@ -107,174 +107,13 @@ def force_of(a, q, R, b, E_star, dgamma, sigma_0):
     return None
 
 
-def prepare_force_of_a(q, R, b, E_star, dgamma, sigma_0):
-    v11 = E_star / R
-    v68 = (2.0) * sigma_0
-    return (q, b, v11, v68)
-
-
-def block_force_of_a(out, a, q, b, v11, v68, t0, t1, t2, t3, t4, t5, t6, t7, m0, m1, f0):
-    size = out.size
-    np.less(a, b, m0)
-    largest_a = largest(a)
-    if largest_a == np.inf:
-        raise FloatingPointError
-    some66 = np.count_nonzero(m0)
-    if some66:
-        np.copyto(out, C0)
-    if some66 != size:
-        other66 = t0 if some66 else out
-        np.subtract(a, b, other66)
-        np.add(a, b, t1)
-        np.multiply(other66, t1, t1)
-        np.sqrt(t1, t2)
-        np.square(a, t3)
-        np.multiply(b, t3, t3)
-        np.divide(other66, b, other66)
-        np.less(other66, C2, m1)
-        some58 = np.count_nonzero(m1)
-        if some58:
-            np.minimum(other66, f0, out=t4)
-            np.sqrt(t4, t5)
-            np.multiply(t4, t5, t5)
-            np.multiply(C3, t4, t6)
-            np.add(t6, C4, t6)
-            np.multiply(t6, t4, t6)
-            np.add(t6, C5, t6)
-            np.multiply(t6, t4, t6)
-            np.add(t6, C6, t6)
-            np.multiply(t6, t4, t6)
-            np.add(t6, C7, t6)
-            np.multiply(t6, t4, t6)
-            np.add(t6, C8, t6)
-            np.multiply(C9, t4, t7)
-            np.add(t7, C10, t7)
-            np.multiply(t7, t4, t7)
-            np.add(t7, C11, t7)
-            np.multiply(t7, t4, t7)
-            np.add(t7, C12, t7)
-            np.multiply(t7, t4, t7)
-            np.add(t7, C13, t7)
-            np.multiply(t7, t4, t4)
-            np.add(t4, C14, t4)
-            np.divide(t6, t4, t4)
-            np.multiply(t5, t4, t4)
-        if some58 != size:
-            other58 = t5 if some58 else t4
-            np.divide(t2, b, other58)
-            np.arctan(other58, t6)
-            np.subtract(other58, t6, other58)
-            if some58:
-                np.copyto(t4, other58, where=~m1)
-        np.multiply(t3, t4, t4)
-        np.multiply(t1, t2, t2)
-        np.divide(t2, C15, t2)
-        np.add(t4, t2, t2)
-        np.multiply(v11, t2, other66)
-        if some66:
-            np.copyto(out, other66, where=~m0)
-    np.hypot(a, q, t0)
-    np.multiply(t0, t0, t0)
-    np.arctan2(q, a, t2)
-    np.multiply(t0, t2, t2)
-    np.multiply(a, q, t0)
-    np.add(t2, t0, t0)
-    np.multiply(v68, t0, t0)
-    np.subtract(out, t0, out)
-
-
-def prepare_force_of_a_q(R, b, E_star, dgamma, sigma_0):
-    v11 = E_star / R
-    v68 = (2.0) * sigma_0
-    return (b, v11, v68)
-
-
-def block_force_of_a_q(out, a, q, b, v11, v68, t0, t1, t2, t3, t4, t5, t6, t7, m0, m1, f0):
-    size = out.size
-    np.less(a, b, m0)
-    largest_a = largest(a)
-    if largest_a == np.inf:
-        raise FloatingPointError
-    largest_q = largest(q)
-    if largest_q == np.inf:
-        raise FloatingPointError
-    some66 = np.count_nonzero(m0)
-    if some66:
-        np.copyto(out, C0)
-    if some66 != size:
-        other66 = t0 if some66 else out
-        np.subtract(a, b, other66)
-        np.add(a, b, t1)
-        np.multiply(other66, t1, t1)
-        np.sqrt(t1, t2)
-        np.square(a, t3)
-        np.multiply(b, t3, t3)
-        np.divide(other66, b, other66)
-        np.less(other66, C2, m1)
-        some58 = np.count_nonzero(m1)
-        if some58:
-            np.minimum(other66, f0, out=t4)
-            np.sqrt(t4, t5)
-            np.multiply(t4, t5, t5)
-            np.multiply(C3, t4, t6)
-            np.add(t6, C4, t6)
-            np.multiply(t6, t4, t6)
-            np.add(t6, C5, t6)
-            np.multiply(t6, t4, t6)
-            np.add(t6, C6, t6)
-            np.multiply(t6, t4, t6)
-            np.add(t6, C7, t6)
-            np.multiply(t6, t4, t6)
-            np.add(t6, C8, t6)
-            np.multiply(C9, t4, t7)
-            np.add(t7, C10, t7)
-            np.multiply(t7, t4, t7)
-            np.add(t7, C11, t7)
-            np.multiply(t7, t4, t7)
-            np.add(t7, C12, t7)
-            np.multiply(t7, t4, t7)
-            np.add(t7, C13, t7)
-            np.multiply(t7, t4, t4)
-            np.add(t4, C14, t4)
-            np.divide(t6, t4, t4)
-            np.multiply(t5, t4, t4)
-        if some58 != size:
-            other58 = t5 if some58 else t4
-            np.divide(t2, b, other58)
-            np.arctan(other58, t6)
-            np.subtract(other58, t6, other58)
-            if some58:
-                np.copyto(t4, other58, where=~m1)
-        np.multiply(t3, t4, t4)
-        np.multiply(t1, t2, t2)
-        np.divide(t2, C15, t2)
-        np.add(t4, t2, t2)
-        np.multiply(v11, t2, other66)
-        if some66:
-            np.copyto(out, other66, where=~m0)
-    np.hypot(a, q, t0)
-    np.multiply(t0, t0, t0)
-    np.arctan2(q, a, t2)
-    np.multiply(t0, t2, t2)
-    np.multiply(a, q, t0)
-    np.add(t2, t0, t0)
-    np.multiply(v68, t0, t0)
-    np.subtract(out, t0, out)
-
-
-def prepare_force_of_all():
+def prepare_force_of_all_signed():
     return ()
 
 
-def block_force_of_all(out, a, q, R, b, E_star, dgamma, sigma_0, t0, t1, t2, t3, t4, t5, t6, t7, t8, m0, m1, f0):
+def block_force_of_all_signed(out, a, q, R, b, E_star, dgamma, sigma_0, t0, t1, t2, t3, t4, t5, t6, t7, t8, m0, m1, f0):
     size = out.size
     np.less(a, b, m0)
-    largest_a = largest(a)
-    if largest_a == np.inf:
-        raise FloatingPointError
-    largest_q = largest(q)
-    if largest_q == np.inf:
-        raise FloatingPointError
     some66 = np.count_nonzero(m0)
     if some66:
         np.copyto(out, C0)
@@ -355,12 +194,12 @@ def pressure(r, a, R, b, E_star, dgamma, sigma_0):
 
 
 def pull_off_depth(a, q, R, b, E_star, dgamma, sigma_0):
-    if a.__class__ is q.__class__ is R.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (q > 1e-30) and (q < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+    if a.__class__ is q.__class__ is R.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > -1e+30 and (a < 1e+30) and (q > -1e+30) and (q < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
             value = bodies._pull_off_depth(a, q, R, b, E_star, dgamma, sigma_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, q, R, b, E_star, dgamma, sigma_0):
+            if (value != value or value == 0.0) and ordinary(a, q, R, b, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -381,12 +220,12 @@ def pull_off_radius(R, b, E_star, dgamma, sigma_0, control):
 
 
 def pull_off_zone(a, R, b, E_star, dgamma, sigma_0):
-    if a.__class__ is R.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+    if a.__class__ is R.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > -1e+30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
             value = bodies._pull_off_zone(a, R, b, E_star, dgamma, sigma_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, R, b, E_star, dgamma, sigma_0):
+            if (value != value or value == 0.0) and ordinary(a, R, b, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -592,9 +431,7 @@ def work_of_separation(a, c, R, b, E_star, sigma_0):
 
 
 BLOCKS = {
-    ('_force_of', 2, 'a', 'q', 'R', 'b', 'E_star', 'dgamma', 'sigma_0'): {
-        ('a',): (('a',), prepare_force_of_a, block_force_of_a, 8, 2, (0.42,), False),
-        ('a', 'q'): (('a', 'q'), prepare_force_of_a_q, block_force_of_a_q, 8, 2, (0.42,), False),
-        ('a', 'q', 'R', 'b', 'E_star', 'dgamma', 'sigma_0'): (('a', 'q', 'R', 'b', 'E_star', 'dgamma', 'sigma_0'), prepare_force_of_all, block_force_of_all, 9, 2, (0.42,), False),
+    ('_force_of', 0, 'a', 'q', 'R', 'b', 'E_star', 'dgamma', 'sigma_0'): {
+        ('a', 'q', 'R', 'b', 'E_star', 'dgamma', 'sigma_0'): (('a', 'q', 'R', 'b', 'E_star', 'dgamma', 'sigma_0'), prepare_force_of_all_signed, block_force_of_all_signed, 9, 2, (0.42,), False),
     },
 }

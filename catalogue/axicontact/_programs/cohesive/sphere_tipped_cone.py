@@ -122,12 +122,12 @@ def pressure(r, a, R, theta, E_star, dgamma, sigma_0):
 
 
 def pull_off_depth(a, q, R, theta, E_star, dgamma, sigma_0):
-    if a.__class__ is q.__class__ is R.__class__ is theta.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (q > 1e-30) and (q < 1e+30) and (R > 1e-30) and (R < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+    if a.__class__ is q.__class__ is R.__class__ is theta.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > -1e+30 and (a < 1e+30) and (q > -1e+30) and (q < 1e+30) and (R > 1e-30) and (R < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
             value = bodies._pull_off_depth(a, q, R, theta, E_star, dgamma, sigma_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, q, R, theta, E_star, dgamma, sigma_0):
+            if (value != value or value == 0.0) and ordinary(a, q, R, theta, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -148,12 +148,12 @@ def pull_off_radius(R, theta, E_star, dgamma, sigma_0, control):
 
 
 def pull_off_zone(a, R, theta, E_star, dgamma, sigma_0):
-    if a.__class__ is R.__class__ is theta.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+    if a.__class__ is R.__class__ is theta.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > -1e+30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
             value = bodies._pull_off_zone(a, R, theta, E_star, dgamma, sigma_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, R, theta, E_star, dgamma, sigma_0):
+            if (value != value or value == 0.0) and ordinary(a, R, theta, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -203,53 +203,54 @@ def without_contact_depth(c, R, theta, E_star, dgamma, sigma_0):
             else:
                 v28 = v10
             v29 = v10 - v28
-            v50 = []
+            v51 = []
             for node, weight in RULE_1(v29 / 1.0):
                 v31 = node * v29
                 v32 = v28 + v31
                 v34 = v9 * cos(v32)
-                v38 = sqrt((R - v34) * (R + v34))
-                v48 = (asinh(v34 / v38) + R * v34 / (v38 * v38)) * v32 * sin(v32)
-                v50.append(weight * v48)
-            v50 = fsum(v50) * v29
-            v74 = 0.0 - v8
-            v78 = sqrt((v74 if v74 > 0.0 or v74 != v74 else 0.0) * (0.0 + v8))
-            v80 = v21 if v11 else hypot(v78, c)
-            v81 = v80 if v11 else c
-            v82 = v81 > 0.0
-            if v82:
-                v83 = v80 if v82 else v8
-                v84 = v81 if v82 else v8
-                v86 = asinh(v8 / v83)
-                v90 = 1.5707963267948966 / v86
-                v91 = atan2(v78, v84) / v86
-                v92 = asinh(v90)
-                v106 = asinh(atan2(v84, v78) / v86 * (v90 + v91) / (v90 * sqrt(1.0 + v91 * v91) + v91 * sqrt(1.0 + v90 * v90)))
-                v108 = 2.0 * v86
-                v120 = v8 * v8
-                v125 = R * cos(theta)
-                v127 = v8 * v8
-                v131 = v127 / (v125 + R)
-                v139 = v127 * R
-                v140 = v125 * v125
-                v157 = []
-                for node, weight in RULE_0(v106 / 1.0):
-                    v107 = node * v106
-                    v110 = 0.5 * v107
-                    v115 = v108 * cosh(v92 - v110) * sinh(v110)
-                    v117 = v83 * cos(v115)
-                    v119 = v83 * sin(v115)
-                    v123 = sqrt(v120 + v117 * v117)
-                    v155 = (log1p((v127 / (v117 + v123) + v131) / (v117 + v125)) + v8 * atan2(v117, v8) / v125 + v139 / (v123 * v140 + R * v117 * v125)) * v117 * v86 * cosh(v92 - v107) * atan2(v119, v123) * (v119 / v123)
-                    v157.append(weight * v155)
-                v157 = fsum(v157) * v106
-                v200 = 0.6366197723675814 * v157
+                v35 = v34 if v34 < v8 or v34 != v34 else v8
+                v39 = sqrt((R - v35) * (R + v35))
+                v49 = (asinh(v35 / v39) + R * v35 / (v39 * v39)) * v32 * sin(v32)
+                v51.append(weight * v49)
+            v51 = fsum(v51) * v29
+            v76 = 0.0 - v8
+            v80 = sqrt((v76 if v76 > 0.0 or v76 != v76 else 0.0) * (0.0 + v8))
+            v82 = v21 if v11 else hypot(v80, c)
+            v83 = v82 if v11 else c
+            v84 = v83 > 0.0
+            if v84:
+                v85 = v82 if v84 else v8
+                v86 = v83 if v84 else v8
+                v88 = asinh(v8 / v85)
+                v92 = 1.5707963267948966 / v88
+                v93 = atan2(v80, v86) / v88
+                v94 = asinh(v92)
+                v108 = asinh(atan2(v86, v80) / v88 * (v92 + v93) / (v92 * sqrt(1.0 + v93 * v93) + v93 * sqrt(1.0 + v92 * v92)))
+                v110 = 2.0 * v88
+                v122 = v8 * v8
+                v127 = R * cos(theta)
+                v129 = v8 * v8
+                v133 = v129 / (v127 + R)
+                v141 = v129 * R
+                v142 = v127 * v127
+                v159 = []
+                for node, weight in RULE_0(v108 / 1.0):
+                    v109 = node * v108
+                    v112 = 0.5 * v109
+                    v117 = v110 * cosh(v94 - v112) * sinh(v112)
+                    v119 = v85 * cos(v117)
+                    v121 = v85 * sin(v117)
+                    v125 = sqrt(v122 + v119 * v119)
+                    v157 = (log1p((v129 / (v119 + v125) + v133) / (v119 + v127)) + v8 * atan2(v119, v8) / v127 + v141 / (v125 * v142 + R * v119 * v127)) * v119 * v88 * cosh(v94 - v109) * atan2(v121, v125) * (v121 / v125)
+                    v159.append(weight * v157)
+                v159 = fsum(v159) * v108
+                v202 = 0.6366197723675814 * v159
             else:
-                v200 = 0.0
-            v207 = sigma_0 / E_star
-            v211 = 0.6366197723675814 * v9 * v50 + v200 - dgamma / sigma_0 - 1.2732395447351628 * v207 * c
-            if v211 <= -(2.0 * v207 * c):
-                value = v211
+                v202 = 0.0
+            v209 = sigma_0 / E_star
+            v213 = 0.6366197723675814 * v9 * v51 + v202 - dgamma / sigma_0 - 1.2732395447351628 * v209 * c
+            if v213 <= -(2.0 * v209 * c):
+                value = v213
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 if value != value and ordinary(c, R, theta, E_star, dgamma, sigma_0):
@@ -283,51 +284,52 @@ def without_contact_force(c, R, theta, E_star, dgamma, sigma_0):
             else:
                 v28 = v10
             v29 = v10 - v28
-            v50 = []
+            v51 = []
             for node, weight in RULE_1(v29 / 1.0):
                 v31 = node * v29
                 v32 = v28 + v31
                 v34 = v9 * cos(v32)
-                v38 = sqrt((R - v34) * (R + v34))
-                v48 = (asinh(v34 / v38) + R * v34 / (v38 * v38)) * v32 * sin(v32)
-                v50.append(weight * v48)
-            v50 = fsum(v50) * v29
-            v74 = 0.0 - v8
-            v78 = sqrt((v74 if v74 > 0.0 or v74 != v74 else 0.0) * (0.0 + v8))
-            v80 = v21 if v11 else hypot(v78, c)
-            v81 = v80 if v11 else c
-            v82 = v81 > 0.0
-            if v82:
-                v83 = v80 if v82 else v8
-                v84 = v81 if v82 else v8
-                v86 = asinh(v8 / v83)
-                v90 = 1.5707963267948966 / v86
-                v91 = atan2(v78, v84) / v86
-                v92 = asinh(v90)
-                v106 = asinh(atan2(v84, v78) / v86 * (v90 + v91) / (v90 * sqrt(1.0 + v91 * v91) + v91 * sqrt(1.0 + v90 * v90)))
-                v108 = 2.0 * v86
-                v120 = v8 * v8
-                v125 = R * cos(theta)
-                v127 = v8 * v8
-                v131 = v127 / (v125 + R)
-                v139 = v127 * R
-                v140 = v125 * v125
-                v157 = []
-                for node, weight in RULE_0(v106 / 1.0):
-                    v107 = node * v106
-                    v110 = 0.5 * v107
-                    v115 = v108 * cosh(v92 - v110) * sinh(v110)
-                    v117 = v83 * cos(v115)
-                    v119 = v83 * sin(v115)
-                    v123 = sqrt(v120 + v117 * v117)
-                    v155 = (log1p((v127 / (v117 + v123) + v131) / (v117 + v125)) + v8 * atan2(v117, v8) / v125 + v139 / (v123 * v140 + R * v117 * v125)) * v117 * v86 * cosh(v92 - v107) * atan2(v119, v123) * (v119 / v123)
-                    v157.append(weight * v155)
-                v157 = fsum(v157) * v106
-                v200 = 0.6366197723675814 * v157
+                v35 = v34 if v34 < v8 or v34 != v34 else v8
+                v39 = sqrt((R - v35) * (R + v35))
+                v49 = (asinh(v35 / v39) + R * v35 / (v39 * v39)) * v32 * sin(v32)
+                v51.append(weight * v49)
+            v51 = fsum(v51) * v29
+            v76 = 0.0 - v8
+            v80 = sqrt((v76 if v76 > 0.0 or v76 != v76 else 0.0) * (0.0 + v8))
+            v82 = v21 if v11 else hypot(v80, c)
+            v83 = v82 if v11 else c
+            v84 = v83 > 0.0
+            if v84:
+                v85 = v82 if v84 else v8
+                v86 = v83 if v84 else v8
+                v88 = asinh(v8 / v85)
+                v92 = 1.5707963267948966 / v88
+                v93 = atan2(v80, v86) / v88
+                v94 = asinh(v92)
+                v108 = asinh(atan2(v86, v80) / v88 * (v92 + v93) / (v92 * sqrt(1.0 + v93 * v93) + v93 * sqrt(1.0 + v92 * v92)))
+                v110 = 2.0 * v88
+                v122 = v8 * v8
+                v127 = R * cos(theta)
+                v129 = v8 * v8
+                v133 = v129 / (v127 + R)
+                v141 = v129 * R
+                v142 = v127 * v127
+                v159 = []
+                for node, weight in RULE_0(v108 / 1.0):
+                    v109 = node * v108
+                    v112 = 0.5 * v109
+                    v117 = v110 * cosh(v94 - v112) * sinh(v112)
+                    v119 = v85 * cos(v117)
+                    v121 = v85 * sin(v117)
+                    v125 = sqrt(v122 + v119 * v119)
+                    v157 = (log1p((v129 / (v119 + v125) + v133) / (v119 + v127)) + v8 * atan2(v119, v8) / v127 + v141 / (v125 * v142 + R * v119 * v127)) * v119 * v88 * cosh(v94 - v109) * atan2(v121, v125) * (v121 / v125)
+                    v159.append(weight * v157)
+                v159 = fsum(v159) * v108
+                v202 = 0.6366197723675814 * v159
             else:
-                v200 = 0.0
-            v207 = sigma_0 / E_star
-            if 0.6366197723675814 * v9 * v50 + v200 - dgamma / sigma_0 - 1.2732395447351628 * v207 * c <= -(2.0 * v207 * c):
+                v202 = 0.0
+            v209 = sigma_0 / E_star
+            if 0.6366197723675814 * v9 * v51 + v202 - dgamma / sigma_0 - 1.2732395447351628 * v209 * c <= -(2.0 * v209 * c):
                 value = -3.141592653589793 * sigma_0 * c * c
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
@@ -364,50 +366,51 @@ def work_of_separation(a, c, R, theta, E_star, sigma_0):
             else:
                 v33 = v13
             v34 = v13 - v33
-            v55 = []
+            v56 = []
             for node, weight in RULE_1(v34 / 1.0):
                 v36 = node * v34
                 v37 = v33 + v36
                 v39 = v12 * cos(v37)
-                v43 = sqrt((R - v39) * (R + v39))
-                v53 = (asinh(v39 / v43) + R * v39 / (v43 * v43)) * v37 * sin(v37)
-                v55.append(weight * v53)
-            v55 = fsum(v55) * v34
-            v79 = a - v15
-            v83 = sqrt((v79 if v79 > 0.0 or v79 != v79 else 0.0) * (a + v15))
-            v85 = v26 if v16 else hypot(v83, v11)
-            v86 = v85 if v16 else v11
-            v87 = v86 > 0.0
-            if v87:
-                v88 = v85 if v87 else v15
-                v89 = v86 if v87 else v15
-                v91 = asinh(v15 / v88)
-                v95 = 1.5707963267948966 / v91
-                v96 = atan2(v83, v89) / v91
-                v97 = asinh(v95)
-                v111 = asinh(atan2(v89, v83) / v91 * (v95 + v96) / (v95 * sqrt(1.0 + v96 * v96) + v96 * sqrt(1.0 + v95 * v95)))
-                v113 = 2.0 * v91
-                v125 = v15 * v15
-                v130 = R * cos(theta)
-                v132 = v15 * v15
-                v136 = v132 / (v130 + R)
-                v144 = v132 * R
-                v145 = v130 * v130
-                v162 = []
-                for node, weight in RULE_0(v111 / 1.0):
-                    v112 = node * v111
-                    v115 = 0.5 * v112
-                    v120 = v113 * cosh(v97 - v115) * sinh(v115)
-                    v122 = v88 * cos(v120)
-                    v124 = v88 * sin(v120)
-                    v128 = sqrt(v125 + v122 * v122)
-                    v160 = (log1p((v132 / (v122 + v128) + v136) / (v122 + v130)) + v15 * atan2(v122, v15) / v130 + v144 / (v128 * v145 + R * v122 * v130)) * v122 * v91 * cosh(v97 - v112) * atan2(v124, v128) * (v124 / v128)
-                    v162.append(weight * v160)
-                v162 = fsum(v162) * v111
-                v205 = 0.6366197723675814 * v162
+                v40 = v39 if v39 < v15 or v39 != v39 else v15
+                v44 = sqrt((R - v40) * (R + v40))
+                v54 = (asinh(v40 / v44) + R * v40 / (v44 * v44)) * v37 * sin(v37)
+                v56.append(weight * v54)
+            v56 = fsum(v56) * v34
+            v81 = a - v15
+            v85 = sqrt((v81 if v81 > 0.0 or v81 != v81 else 0.0) * (a + v15))
+            v87 = v26 if v16 else hypot(v85, v11)
+            v88 = v87 if v16 else v11
+            v89 = v88 > 0.0
+            if v89:
+                v90 = v87 if v89 else v15
+                v91 = v88 if v89 else v15
+                v93 = asinh(v15 / v90)
+                v97 = 1.5707963267948966 / v93
+                v98 = atan2(v85, v91) / v93
+                v99 = asinh(v97)
+                v113 = asinh(atan2(v91, v85) / v93 * (v97 + v98) / (v97 * sqrt(1.0 + v98 * v98) + v98 * sqrt(1.0 + v97 * v97)))
+                v115 = 2.0 * v93
+                v127 = v15 * v15
+                v132 = R * cos(theta)
+                v134 = v15 * v15
+                v138 = v134 / (v132 + R)
+                v146 = v134 * R
+                v147 = v132 * v132
+                v164 = []
+                for node, weight in RULE_0(v113 / 1.0):
+                    v114 = node * v113
+                    v117 = 0.5 * v114
+                    v122 = v115 * cosh(v99 - v117) * sinh(v117)
+                    v124 = v90 * cos(v122)
+                    v126 = v90 * sin(v122)
+                    v130 = sqrt(v127 + v124 * v124)
+                    v162 = (log1p((v134 / (v124 + v130) + v138) / (v124 + v132)) + v15 * atan2(v124, v15) / v132 + v146 / (v130 * v147 + R * v124 * v132)) * v124 * v93 * cosh(v99 - v114) * atan2(v126, v130) * (v126 / v130)
+                    v164.append(weight * v162)
+                v164 = fsum(v164) * v113
+                v207 = 0.6366197723675814 * v164
             else:
-                v205 = 0.0
-            value = sigma_0 * (0.6366197723675814 * v12 * v55 + v205 + 1.2732395447351628 * (sigma_0 / E_star) * v11 * (v13 - v11 / (v12 + a)))
+                v207 = 0.0
+            value = sigma_0 * (0.6366197723675814 * v12 * v56 + v207 + 1.2732395447351628 * (sigma_0 / E_star) * v11 * (v13 - v11 / (v12 + a)))
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             if value != value and ordinary(a, c, R, theta, E_star, sigma_0):

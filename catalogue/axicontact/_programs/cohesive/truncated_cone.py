@@ -85,104 +85,13 @@ def force_of(a, q, theta, b, E_star, dgamma, sigma_0):
     return None
 
 
-def prepare_force_of_a(q, theta, b, E_star, dgamma, sigma_0):
-    v13 = np.tan(theta)
-    v14 = E_star * v13
-    v24 = (2.0) * sigma_0
-    return (q, b, v14, v24)
-
-
-def block_force_of_a(out, a, q, b, v14, v24, t0, t1, t2, m0):
-    size = out.size
-    np.less(a, b, m0)
-    largest_a = largest(a)
-    if largest_a == np.inf:
-        raise FloatingPointError
-    some22 = np.count_nonzero(m0)
-    if some22:
-        np.copyto(out, C0)
-    if some22 != size:
-        other22 = t0 if some22 else out
-        np.subtract(a, b, other22)
-        np.add(a, b, t1)
-        np.multiply(other22, t1, t1)
-        np.sqrt(t1, t1)
-        np.divide(t1, b, other22)
-        np.arctan(other22, other22)
-        np.square(a, t2)
-        np.multiply(t2, other22, other22)
-        np.multiply(b, t1, t1)
-        np.add(other22, t1, t1)
-        np.multiply(v14, t1, other22)
-        if some22:
-            np.copyto(out, other22, where=~m0)
-    np.hypot(a, q, t0)
-    np.multiply(t0, t0, t0)
-    np.arctan2(q, a, t1)
-    np.multiply(t0, t1, t1)
-    np.multiply(a, q, t0)
-    np.add(t1, t0, t0)
-    np.multiply(v24, t0, t0)
-    np.subtract(out, t0, out)
-
-
-def prepare_force_of_a_q(theta, b, E_star, dgamma, sigma_0):
-    v13 = np.tan(theta)
-    v14 = E_star * v13
-    v24 = (2.0) * sigma_0
-    return (b, v14, v24)
-
-
-def block_force_of_a_q(out, a, q, b, v14, v24, t0, t1, t2, m0):
-    size = out.size
-    np.less(a, b, m0)
-    largest_a = largest(a)
-    if largest_a == np.inf:
-        raise FloatingPointError
-    largest_q = largest(q)
-    if largest_q == np.inf:
-        raise FloatingPointError
-    some22 = np.count_nonzero(m0)
-    if some22:
-        np.copyto(out, C0)
-    if some22 != size:
-        other22 = t0 if some22 else out
-        np.subtract(a, b, other22)
-        np.add(a, b, t1)
-        np.multiply(other22, t1, t1)
-        np.sqrt(t1, t1)
-        np.divide(t1, b, other22)
-        np.arctan(other22, other22)
-        np.square(a, t2)
-        np.multiply(t2, other22, other22)
-        np.multiply(b, t1, t1)
-        np.add(other22, t1, t1)
-        np.multiply(v14, t1, other22)
-        if some22:
-            np.copyto(out, other22, where=~m0)
-    np.hypot(a, q, t0)
-    np.multiply(t0, t0, t0)
-    np.arctan2(q, a, t1)
-    np.multiply(t0, t1, t1)
-    np.multiply(a, q, t0)
-    np.add(t1, t0, t0)
-    np.multiply(v24, t0, t0)
-    np.subtract(out, t0, out)
-
-
-def prepare_force_of_all():
+def prepare_force_of_all_signed():
     return ()
 
 
-def block_force_of_all(out, a, q, theta, b, E_star, dgamma, sigma_0, t0, t1, t2, t3, m0):
+def block_force_of_all_signed(out, a, q, theta, b, E_star, dgamma, sigma_0, t0, t1, t2, t3, m0):
     size = out.size
     np.less(a, b, m0)
-    largest_a = largest(a)
-    if largest_a == np.inf:
-        raise FloatingPointError
-    largest_q = largest(q)
-    if largest_q == np.inf:
-        raise FloatingPointError
     some22 = np.count_nonzero(m0)
     if some22:
         np.copyto(out, C0)
@@ -228,12 +137,12 @@ def pressure(r, a, theta, b, E_star, dgamma, sigma_0):
 
 
 def pull_off_depth(a, q, theta, b, E_star, dgamma, sigma_0):
-    if a.__class__ is q.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (q > 1e-30) and (q < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+    if a.__class__ is q.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > -1e+30 and (a < 1e+30) and (q > -1e+30) and (q < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
             value = bodies._pull_off_depth(a, q, theta, b, E_star, dgamma, sigma_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, q, theta, b, E_star, dgamma, sigma_0):
+            if (value != value or value == 0.0) and ordinary(a, q, theta, b, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -254,12 +163,12 @@ def pull_off_radius(theta, b, E_star, dgamma, sigma_0, control):
 
 
 def pull_off_zone(a, theta, b, E_star, dgamma, sigma_0):
-    if a.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+    if a.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > -1e+30 and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
             value = bodies._pull_off_zone(a, theta, b, E_star, dgamma, sigma_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, theta, b, E_star, dgamma, sigma_0):
+            if (value != value or value == 0.0) and ordinary(a, theta, b, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -468,9 +377,7 @@ def work_of_separation(a, c, theta, b, E_star, sigma_0):
 
 
 BLOCKS = {
-    ('_force_of', 2, 'a', 'q', 'theta', 'b', 'E_star', 'dgamma', 'sigma_0'): {
-        ('a',): (('a',), prepare_force_of_a, block_force_of_a, 3, 1, (), False),
-        ('a', 'q'): (('a', 'q'), prepare_force_of_a_q, block_force_of_a_q, 3, 1, (), False),
-        ('a', 'q', 'theta', 'b', 'E_star', 'dgamma', 'sigma_0'): (('a', 'q', 'theta', 'b', 'E_star', 'dgamma', 'sigma_0'), prepare_force_of_all, block_force_of_all, 4, 1, (), False),
+    ('_force_of', 0, 'a', 'q', 'theta', 'b', 'E_star', 'dgamma', 'sigma_0'): {
+        ('a', 'q', 'theta', 'b', 'E_star', 'dgamma', 'sigma_0'): (('a', 'q', 'theta', 'b', 'E_star', 'dgamma', 'sigma_0'), prepare_force_of_all_signed, block_force_of_all_signed, 4, 1, (), False),
     },
 }

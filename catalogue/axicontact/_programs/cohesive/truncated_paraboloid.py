@@ -81,104 +81,13 @@ def force_of(a, q, R, b, E_star, dgamma, sigma_0):
     return None
 
 
-def prepare_force_of_a(q, R, b, E_star, dgamma, sigma_0):
-    v12 = (2.0) * E_star
-    v14 = (3.0) * R
-    v15 = v12 / v14
-    v18 = np.square(b)
-    v25 = (2.0) * sigma_0
-    return (q, b, v15, v18, v25)
-
-
-def block_force_of_a(out, a, q, b, v15, v18, v25, t0, t1, m0):
-    size = out.size
-    np.less(a, b, m0)
-    largest_a = largest(a)
-    if largest_a == np.inf:
-        raise FloatingPointError
-    some23 = np.count_nonzero(m0)
-    if some23:
-        np.copyto(out, C0)
-    if some23 != size:
-        other23 = t0 if some23 else out
-        np.subtract(a, b, other23)
-        np.add(a, b, t1)
-        np.multiply(other23, t1, t1)
-        np.sqrt(t1, t1)
-        np.square(a, other23)
-        np.multiply(C1, other23, other23)
-        np.add(other23, v18, other23)
-        np.multiply(v15, other23, other23)
-        np.multiply(other23, t1, other23)
-        if some23:
-            np.copyto(out, other23, where=~m0)
-    np.hypot(a, q, t0)
-    np.multiply(t0, t0, t0)
-    np.arctan2(q, a, t1)
-    np.multiply(t0, t1, t1)
-    np.multiply(a, q, t0)
-    np.add(t1, t0, t0)
-    np.multiply(v25, t0, t0)
-    np.subtract(out, t0, out)
-
-
-def prepare_force_of_a_q(R, b, E_star, dgamma, sigma_0):
-    v12 = (2.0) * E_star
-    v14 = (3.0) * R
-    v15 = v12 / v14
-    v18 = np.square(b)
-    v25 = (2.0) * sigma_0
-    return (b, v15, v18, v25)
-
-
-def block_force_of_a_q(out, a, q, b, v15, v18, v25, t0, t1, m0):
-    size = out.size
-    np.less(a, b, m0)
-    largest_a = largest(a)
-    if largest_a == np.inf:
-        raise FloatingPointError
-    largest_q = largest(q)
-    if largest_q == np.inf:
-        raise FloatingPointError
-    some23 = np.count_nonzero(m0)
-    if some23:
-        np.copyto(out, C0)
-    if some23 != size:
-        other23 = t0 if some23 else out
-        np.subtract(a, b, other23)
-        np.add(a, b, t1)
-        np.multiply(other23, t1, t1)
-        np.sqrt(t1, t1)
-        np.square(a, other23)
-        np.multiply(C1, other23, other23)
-        np.add(other23, v18, other23)
-        np.multiply(v15, other23, other23)
-        np.multiply(other23, t1, other23)
-        if some23:
-            np.copyto(out, other23, where=~m0)
-    np.hypot(a, q, t0)
-    np.multiply(t0, t0, t0)
-    np.arctan2(q, a, t1)
-    np.multiply(t0, t1, t1)
-    np.multiply(a, q, t0)
-    np.add(t1, t0, t0)
-    np.multiply(v25, t0, t0)
-    np.subtract(out, t0, out)
-
-
-def prepare_force_of_all():
+def prepare_force_of_all_signed():
     return ()
 
 
-def block_force_of_all(out, a, q, R, b, E_star, dgamma, sigma_0, t0, t1, t2, t3, m0):
+def block_force_of_all_signed(out, a, q, R, b, E_star, dgamma, sigma_0, t0, t1, t2, t3, m0):
     size = out.size
     np.less(a, b, m0)
-    largest_a = largest(a)
-    if largest_a == np.inf:
-        raise FloatingPointError
-    largest_q = largest(q)
-    if largest_q == np.inf:
-        raise FloatingPointError
     some23 = np.count_nonzero(m0)
     if some23:
         np.copyto(out, C0)
@@ -224,12 +133,12 @@ def pressure(r, a, R, b, E_star, dgamma, sigma_0):
 
 
 def pull_off_depth(a, q, R, b, E_star, dgamma, sigma_0):
-    if a.__class__ is q.__class__ is R.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (q > 1e-30) and (q < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+    if a.__class__ is q.__class__ is R.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > -1e+30 and (a < 1e+30) and (q > -1e+30) and (q < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
             value = bodies._pull_off_depth(a, q, R, b, E_star, dgamma, sigma_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, q, R, b, E_star, dgamma, sigma_0):
+            if (value != value or value == 0.0) and ordinary(a, q, R, b, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -250,12 +159,12 @@ def pull_off_radius(R, b, E_star, dgamma, sigma_0, control):
 
 
 def pull_off_zone(a, R, b, E_star, dgamma, sigma_0):
-    if a.__class__ is R.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+    if a.__class__ is R.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > -1e+30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
             value = bodies._pull_off_zone(a, R, b, E_star, dgamma, sigma_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, R, b, E_star, dgamma, sigma_0):
+            if (value != value or value == 0.0) and ordinary(a, R, b, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -461,9 +370,7 @@ def work_of_separation(a, c, R, b, E_star, sigma_0):
 
 
 BLOCKS = {
-    ('_force_of', 2, 'a', 'q', 'R', 'b', 'E_star', 'dgamma', 'sigma_0'): {
-        ('a',): (('a',), prepare_force_of_a, block_force_of_a, 2, 1, (), False),
-        ('a', 'q'): (('a', 'q'), prepare_force_of_a_q, block_force_of_a_q, 2, 1, (), False),
-        ('a', 'q', 'R', 'b', 'E_star', 'dgamma', 'sigma_0'): (('a', 'q', 'R', 'b', 'E_star', 'dgamma', 'sigma_0'), prepare_force_of_all, block_force_of_all, 4, 1, (), False),
+    ('_force_of', 0, 'a', 'q', 'R', 'b', 'E_star', 'dgamma', 'sigma_0'): {
+        ('a', 'q', 'R', 'b', 'E_star', 'dgamma', 'sigma_0'): (('a', 'q', 'R', 'b', 'E_star', 'dgamma', 'sigma_0'), prepare_force_of_all_signed, block_force_of_all_signed, 4, 1, (), False),
     },
 }

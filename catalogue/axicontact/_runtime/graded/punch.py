@@ -51,6 +51,17 @@ def graded_retraction(a: Array, H: Array, k: Array, dgamma: Array) -> Array:
     return np.where(a > 0.0, np.sqrt(2.0 * np.pi * dgamma / H) * np.sqrt(a) * np.sqrt(a**-k), 0.0)
 
 
+def separation(load: Array, a: Array, H: Array, k: Array) -> Array:
+    """Work of separation of a contact whose force is `load` less than without adhesion."""
+    return (1.0 + k) / (4.0 * np.pi) * (load / punch_stiffness(a, H, k)) * (load / a / a)
+
+
+def held(a: Array, rate: Array, force: Array, k: Array) -> Array:
+    """Tension at which a contact of this radius comes off, over the modulus as its `force` without adhesion is."""
+    pulled = 2.0 * a * rate * punch_stiffness(a, 1.0, k) / stationary("force", k)
+    return np.where(pulled < np.inf, pulled - force, np.inf)
+
+
 def stationary(control: str, k: Array) -> Array:
     """The number xi of the condition of stationarity."""
     constant, slope = STATIONARY[control]

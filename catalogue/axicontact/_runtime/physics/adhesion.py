@@ -51,6 +51,17 @@ def pull(a: Array, E_star: Array, dgamma: Array) -> Array:
     return 2.0 * E_star * a * hess_retraction(a, E_star, dgamma)
 
 
+def separation(load: Array, a: Array, E_star: Array) -> Array:
+    """Work of separation of a contact whose force is `load` less than without adhesion."""
+    return (load / a) ** 2 / (8.0 * np.pi * E_star * a)
+
+
+def held(a: Array, rate: Array, force: Array) -> Array:
+    """Tension at which a contact of this radius comes off, over the modulus as its `force` without adhesion is."""
+    pulled = 4.0 / 3.0 * a * a * rate
+    return np.where(pulled < np.inf, pulled - force, np.inf)
+
+
 def tension(r: Array, a: Array, E_star: Array, dgamma: Array) -> Array:
     """Its pressure: infinite at the edge, zero outside."""
     moved = hess_retraction(a, E_star, dgamma)

@@ -149,7 +149,8 @@ def opening_tip(slope: Slope, q: Array, a: Array, b: Array, nodes: int) -> tuple
     start = np.where(a < b, np.arctan2(outer, b), end)
     start = np.minimum(np.where(c > b, start, 0.0), end)
     start = np.where(a < b, start, end)
-    return _along(slope, c, start, end - start, nodes)
+    # where nothing is below the break the slope is asked for beyond it, and may be no number there
+    return _along(lambda t: slope(np.minimum(t, b)), c, start, end - start, nodes)
 
 
 def opening_beyond(slope: Slope, q: Array, a: Array, b: Array) -> tuple[Array, Array]:

@@ -8,7 +8,6 @@ rule over half of the nodes settles quickly, and g enters by its integral times 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import lru_cache, wraps
 from typing import Any, NamedTuple
 
@@ -18,6 +17,7 @@ from ..integrals import in_parts
 from ..interface import KEPT, Array
 from ..inverse import Curve, inverse
 from ..nodes import gauss_legendre
+from .adhesion import hess_retraction
 
 THINNEST = 20.0
 """Contact radius over thickness up to which the errors were measured."""
@@ -57,38 +57,40 @@ class State(NamedTuple):
     across: int
     """Nodes across the contact."""
 
-    def pressure(self, r: Array) -> Array:
-        """What the layer adds to the pressure over E_star: -1/pi times the integral of x'(t)/sqrt(t**2 - r**2)."""
-        nodes, weights, _ = _half(self.across)
-        out = np.empty_like(r)
-        for part in in_parts(r.size, TERMS // (self.waves.size * nodes.size)):
-            near = r[part, None]
-            root = np.sqrt((self.radius - near) * (self.radius + near))
-            t = np.hypot(near, root * nodes)
-            curved = self.bent @ np.sinc(self.waves[:, None] / np.pi * t[:, None, :])
-            out[part] = root[:, 0] / np.pi * (curved @ weights)
-        return out
 
-
-@dataclass(frozen=True)
-class States:
+class States(NamedTuple):
     """Contacts of which each is solved once, and which of them stands where."""
 
     found: list[State]
     places: Array
 
-    def of(self, name: str) -> Array:
-        """A number of each."""
-        return np.array([getattr(one, name) for one in self.found])[self.places]
 
-    def pressure(self, r: Array) -> Array:
-        """The pressure that the layers add, over E_star; zero outside."""
-        r, places = np.broadcast_arrays(r, self.places)
-        out = np.zeros(r.shape)
-        for i, one in enumerate(self.found):
-            inside = (places == i) & (r < one.radius)
-            out[inside] = one.pressure(r[inside])
-        return out
+def number_of(states: States, name: str) -> Array:
+    """A number of each contact, by its name in `State`."""
+    return np.array([getattr(one, name) for one in states.found])[states.places]
+
+
+def added_pressure(states: States, r: Array) -> Array:
+    """The pressure that the layers add, over E_star; zero outside."""
+    r, places = np.broadcast_arrays(r, states.places)
+    out = np.zeros(r.shape)
+    for i, one in enumerate(states.found):
+        inside = (places == i) & (r < one.radius)
+        out[inside] = _added(one, r[inside])
+    return out
+
+
+def _added(state: State, r: Array) -> Array:
+    """That of one contact, inside it: -1/pi times the integral of x'(t)/sqrt(t**2 - r**2)."""
+    nodes, weights, _ = _half(state.across)
+    out = np.empty_like(r)
+    for part in in_parts(r.size, TERMS // (state.waves.size * nodes.size)):
+        near = r[part, None]
+        root = np.sqrt((state.radius - near) * (state.radius + near))
+        t = np.hypot(near, root * nodes)
+        curved = state.bent @ np.sinc(state.waves[:, None] / np.pi * t[:, None, :])
+        out[part] = root[:, 0] / np.pi * (curved @ weights)
+    return out
 
 
 def of_states(contact: Callable[..., State]) -> Callable[..., States]:
@@ -98,17 +100,29 @@ def of_states(contact: Callable[..., State]) -> Callable[..., States]:
     @wraps(contact)
     def over_states(*given: Any) -> States:
         several = [i for i, own in enumerate(given) if not isinstance(own, tuple | str)]
-        arrays = np.broadcast_arrays(*(np.asarray(given[i], dtype=np.float64) for i in several))
+        # with one number more: of a scene all that is given may be constants
+        arrays = np.broadcast_arrays(0.0, *(np.asarray(given[i], dtype=np.float64) for i in several))
         rows, places = np.unique(np.stack([own.ravel() for own in arrays]), axis=1, return_inverse=True)
         found, arguments = list[State](), [*given]
         with np.errstate(all="ignore"):
             for row in rows.T.tolist():
-                for i, own in zip(several, row, strict=True):
+                for i, own in zip(several, row[1:], strict=True):
                     arguments[i] = own
                 found.append(kept(*arguments))
         return States(found, places.reshape(arrays[0].shape))
 
     return over_states
+
+
+@of_states
+def below_punch(a: float, h: float, nu: float, base: str) -> State:
+    """A flat punch that sinks by a unit."""
+    return on_layer(a, h, nu, base)
+
+
+def retraction_on_layer(a: Array, E_star: Array, nu: Array, h: Array, dgamma: Array, base: str) -> Array:
+    """By which adhesion moves the punch: its last spring is drawn out by as much as on the half-space."""
+    return hess_retraction(a, E_star, dgamma) / number_of(below_punch(a, h, nu, base), "edge")
 
 
 def require_base(base: str) -> None:
@@ -198,7 +212,8 @@ def on_layer(
 
     Without g a flat punch that sinks by a unit.
     """
-    if a > THINNEST * h:
+    # a search that ends there is off by the rounding of its logarithms
+    if a > THINNEST * h * (1.0 + SETTLED):
         message = f"a = {a!r}, thickness = {h!r}: a <= {THINNEST:g} thickness is violated; {THIN}"
         raise ValueError(message)
     count, along = next(((m, n) for most, m, n in NODES if a <= most * h), NODES[-1][1:])

@@ -7,15 +7,17 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from ..._runtime.graded.growth import power_factor
-from ..._runtime.graded.punch import graded_retraction, punch_stiffness
+from ..._runtime.graded.punch import graded_retraction, punch_stiffness, separation
 from ..._runtime.interface import Array, Result, elementwise, require
 from ..._runtime.physics.adhesion import PullOff, require_control
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-__all__ = ["pull_off", "retraction"]
+__all__ = ["pull_off", "retraction", "work_of_adhesion_from_pull_off"]
 
 
 def __dir__() -> list[str]:
@@ -126,6 +128,56 @@ def pull_off(
     return PullOff(depth * 0.0 + a, force, depth)
 
 
+def work_of_adhesion_from_pull_off(F: ArrayLike, *, a: ArrayLike, h: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
+    """Work of separation at which a contact breaks under the normal force F: the inverse of pull_off().force.
+
+    dgamma = a**(-k - 3)*(8*H*a*a**k*h - abs(F)*k**3 - 5*abs(F)*k**2 - 7*abs(F)*k - 3*abs(F))**2/(8*pi*H*(k +
+    1)**2*(k + 3)**2)
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    a : array_like
+        Contact radius [m], a > 0.
+    h : array_like
+        Height or depth of the profile [m], h > 0.
+    H : array_like
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
+        < 1.
+
+    Returns
+    -------
+    float or ndarray
+        Work of separation per unit area [N/m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes; complete contact only. The force is a tension, F < 0: NaN above the force at which
+    the edge is without tension, as under pressure.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Barber 1976; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import concave_paraboloid
+    >>> value = concave_paraboloid.work_of_adhesion_from_pull_off(-0.6374, a=1.0, h=0.15, H=1.0, k=0.25)
+    >>> round(value, 6)
+    0.010002
+    """
+    require(a=a, h=h, H=H, k=k)
+    return elementwise(_work_of_adhesion_from_pull_off, F=F, a=a, h=h, H=H, k=k)
+
+
 def _pull_off_depth(a: Array, h: Array, H: Array, k: Array, dgamma: Array) -> Array:
     return -h * power_factor(2.0, k) - graded_retraction(a, H, k, dgamma)
 
@@ -134,3 +186,8 @@ def _pull_off_force(a: Array, h: Array, H: Array, k: Array, dgamma: Array) -> Ar
     return -punch_stiffness(a, H, k) * (
         h * power_factor(2.0, k) * 2.0 / (2.0 + 1.0 + k) + graded_retraction(a, H, k, dgamma)
     )
+
+
+def _work_of_adhesion_from_pull_off(F: Array, a: Array, h: Array, H: Array, k: Array) -> Array:
+    least = _pull_off_force(a, h, H, k, 0.0)
+    return np.where(F <= least, separation(least - F, a, H, k), np.nan)

@@ -14,6 +14,7 @@ from ..._runtime.graded.punch import (
     graded_retraction,
     punch_displacement,
     punch_stiffness,
+    separation,
     stationary,
     tension,
     unloading_radius,
@@ -34,6 +35,7 @@ __all__ = [
     "radius_from_depth",
     "radius_from_force",
     "retraction",
+    "work_of_adhesion_from_pull_off",
 ]
 
 
@@ -454,6 +456,54 @@ def pull_off(control: str = "force", *, theta: ArrayLike, H: ArrayLike, k: Array
     return PullOff(radius, force, depth)
 
 
+def work_of_adhesion_from_pull_off(F: ArrayLike, *, theta: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
+    """Work of separation at which a contact breaks under the normal force F: the inverse of pull_off().force.
+
+    dgamma = abs(F)**2*(abs(F)*(k + 2)*(k + 3)*gamma(k/2 + 1)/(sqrt(pi)*H*tan(theta)*gamma((k + 1)/2)))**((-k
+    - 3)/(k + 2))*(k + 2)**2/(2*pi*H)
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    H : array_like
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
+        < 1.
+
+    Returns
+    -------
+    float or ndarray
+        Work of separation per unit area [N/m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1; a << size of the body. The force is a tension, F < 0: 0 without a force, NaN
+    under pressure, which breaks no contact, and where no stable contact bears the tension.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Love 1939; Schubert 1942; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import cone
+    >>> value = cone.work_of_adhesion_from_pull_off(-0.0679, theta=0.35, H=1.0, k=0.25)
+    >>> round(value, 6)
+    0.01
+    """
+    require(theta=theta, H=H, k=k)
+    return elementwise(_work_of_adhesion_from_pull_off, F=F, theta=theta, H=H, k=k)
+
+
 def _depth(a: Array, theta: Array, H: Array, k: Array, dgamma: Array) -> Array:
     return normal._depth(a, theta, k) - graded_retraction(a, H, k, dgamma)
 
@@ -498,3 +548,10 @@ def _radius_from_force(F: Array, theta: Array, H: Array, k: Array, dgamma: Array
     least = _pull_off_force(a_c, theta, H, k, dgamma, control="force")
     plain = normal._radius_from_force(np.maximum(F, 0.0), theta, H, k)
     return power_law_radius(F, a_c, least, 1.0 + 1.0 + k, (3.0 + k) / 2.0, plain)
+
+
+def _work_of_adhesion_from_pull_off(F: Array, theta: Array, H: Array, k: Array) -> Array:
+    pull = np.where(F < 0.0, -F, np.nan)
+    lasting = pull * (k + 3) / (k + 1)
+    a = normal._radius_from_force(lasting, theta, H, k)
+    return np.where(F == 0.0, 0.0, separation(pull + lasting, a, H, k))

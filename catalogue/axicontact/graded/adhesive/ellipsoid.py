@@ -13,10 +13,12 @@ import numpy as np
 from ..._runtime.graded.punch import (
     graded_retraction,
     growth_of,
+    held,
     least_steepness,
     pull_of,
     punch_displacement,
     punch_stiffness,
+    separation,
     tension,
 )
 from ..._runtime.interface import Array, Kept, Result, elementwise, require
@@ -36,6 +38,7 @@ __all__ = [
     "radius_from_depth",
     "radius_from_force",
     "retraction",
+    "work_of_adhesion_from_pull_off",
 ]
 
 
@@ -479,6 +482,56 @@ def pull_off(
     return PullOff(radius, force, depth)
 
 
+def work_of_adhesion_from_pull_off(F: ArrayLike, *, h: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
+    """Work of separation at which a contact breaks under the normal force F: the inverse of pull_off().force.
+
+    dgamma = a**(-k - 3)*(F_N + abs(F))**2*(k + 1)**2/(8*pi*H) at the radius a at which it is least, F_N the
+    force without adhesion there
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    h : array_like
+        Height or depth of the profile [m], h > 0.
+    b : array_like
+        Radius at which the profile breaks, or its length across [m], b > 0.
+    H : array_like
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
+        < 1.
+
+    Returns
+    -------
+    float or ndarray
+        Work of separation per unit area [N/m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < b; small slopes. The force is a tension, F < 0: 0 without a force, NaN under pressure, which
+    breaks no contact, and where no stable contact bears the tension.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import ellipsoid
+    >>> value = ellipsoid.work_of_adhesion_from_pull_off(-0.1163, h=0.9, b=1.5, H=1.0, k=0.25)
+    >>> round(value, 6)
+    0.009997
+    """
+    require(h=h, b=b, H=H, k=k)
+    return elementwise(_work_of_adhesion_from_pull_off, F=F, h=h, b=b, H=H, k=k)
+
+
 def _depth(a: Array, h: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
     return normal._depth(a, h, b, k) - graded_retraction(a, H, k, dgamma)
 
@@ -554,3 +607,25 @@ def _radius_from_force(F: Array, h: Array, b: Array, H: Array, k: Array, dgamma:
     pulled = pull_of(H, k, dgamma, control="force")
     radius = stable_radius(F, found, lambda a: _force(a, h, b, H, k, dgamma), slope, pulled, up_to(b, k))
     return np.ldexp(radius, unit)
+
+
+@Kept
+def _held_samples(h: Array, b: Array, k: Array) -> Samples:
+    """The force that can be held, over the modulus, at radii that separate the minima of the work of separation."""
+    a = radii_below(b)
+    return Samples(a, held(a, normal._rate(a, h, b, k), normal._force(a, h, b, 1.0, k), k), a[-1], {})
+
+
+def _work_of_adhesion_from_pull_off(F: Array, h: Array, b: Array, H: Array, k: Array) -> Array:
+    unit = exponent_of(b)
+    stress, H = stress_at(unit, H, k)
+    h = np.ldexp(h, -unit)
+    b = np.ldexp(b, -unit)
+    F = np.ldexp(F, -(stress + 2 * unit))
+    pull = np.where(F < 0.0, -F, np.nan)
+    found = branches(
+        lambda a: held(a, normal._rate(a, h, b, k), normal._force(a, h, b, 1.0, k), k), _held_samples(h, b, k), pull / H
+    )
+    a = lowest(found, lambda a: separation(pull + normal._force(a, h, b, H, k), a, H, k))
+    work = separation(pull + normal._force(a, h, b, H, k), a, H, k)
+    return np.where(F == 0.0, 0.0, np.ldexp(work, stress + unit))

@@ -13,10 +13,12 @@ import numpy as np
 from ..._runtime.graded.punch import (
     graded_retraction,
     growth_of,
+    held,
     least_steepness,
     pull_of,
     punch_displacement,
     punch_stiffness,
+    separation,
     tension,
 )
 from ..._runtime.interface import Array, Kept, Result, elementwise, require
@@ -36,6 +38,7 @@ __all__ = [
     "radius_from_depth",
     "radius_from_force",
     "retraction",
+    "work_of_adhesion_from_pull_off",
 ]
 
 
@@ -482,6 +485,56 @@ def pull_off(
     return PullOff(radius, force, depth)
 
 
+def work_of_adhesion_from_pull_off(F: ArrayLike, *, h: ArrayLike, s: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
+    """Work of separation at which a contact breaks under the normal force F: the inverse of pull_off().force.
+
+    dgamma = a**(-k - 3)*(F_N + abs(F))**2*(k + 1)**2/(8*pi*H) at the radius a at which it is least, F_N the
+    force without adhesion there
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    h : array_like
+        Height or depth of the profile [m], h > 0.
+    s : array_like
+        Length scale of the profile [m], s > 0.
+    H : array_like
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
+        < 1.
+
+    Returns
+    -------
+    float or ndarray
+        Work of separation per unit area [N/m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for h << s. The force is a tension, F < 0: 0 without a force, NaN under pressure, which breaks no
+    contact, and where no stable contact bears the tension.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Popov, Heß & Willert 2019.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import gaussian
+    >>> value = gaussian.work_of_adhesion_from_pull_off(-0.04078, h=0.7, s=1.0, H=1.0, k=0.25)
+    >>> round(value, 6)
+    0.01
+    """
+    require(h=h, s=s, H=H, k=k)
+    return elementwise(_work_of_adhesion_from_pull_off, F=F, h=h, s=s, H=H, k=k)
+
+
 def _depth(a: Array, h: Array, s: Array, H: Array, k: Array, dgamma: Array) -> Array:
     return normal._depth(a, h, s, k) - graded_retraction(a, H, k, dgamma)
 
@@ -559,3 +612,27 @@ def _radius_from_force(F: Array, h: Array, s: Array, H: Array, k: Array, dgamma:
     pulled = pull_of(H, k, dgamma, control="force")
     radius = stable_radius(F, found, lambda a: _force(a, h, s, H, k, dgamma), slope, pulled, on_the_bump(s))
     return np.ldexp(radius, unit)
+
+
+@Kept
+def _held_samples(h: Array, s: Array, k: Array) -> Samples:
+    """The force that can be held, over the modulus, at radii that separate the minima of the work of separation."""
+    from ..._runtime.graded.inverse import gaussian_reach
+
+    a = radii_to(gaussian_reach(s, k))
+    return Samples(a, held(a, normal._rate(a, h, s, k), normal._force(a, h, s, 1.0, k), k), a[-1], {})
+
+
+def _work_of_adhesion_from_pull_off(F: Array, h: Array, s: Array, H: Array, k: Array) -> Array:
+    unit = exponent_of(s)
+    stress, H = stress_at(unit, H, k)
+    h = np.ldexp(h, -unit)
+    s = np.ldexp(s, -unit)
+    F = np.ldexp(F, -(stress + 2 * unit))
+    pull = np.where(F < 0.0, -F, np.nan)
+    found = branches(
+        lambda a: held(a, normal._rate(a, h, s, k), normal._force(a, h, s, 1.0, k), k), _held_samples(h, s, k), pull / H
+    )
+    a = lowest(found, lambda a: separation(pull + normal._force(a, h, s, H, k), a, H, k))
+    work = separation(pull + normal._force(a, h, s, H, k), a, H, k)
+    return np.where(F == 0.0, 0.0, np.ldexp(work, stress + unit))

@@ -14,6 +14,7 @@ from ..._runtime.graded.punch import (
     graded_retraction,
     punch_displacement,
     punch_stiffness,
+    separation,
     stationary,
     tension,
     unloading_radius,
@@ -34,6 +35,7 @@ __all__ = [
     "radius_from_depth",
     "radius_from_force",
     "retraction",
+    "work_of_adhesion_from_pull_off",
 ]
 
 
@@ -442,6 +444,53 @@ def pull_off(control: str = "force", *, R: ArrayLike, H: ArrayLike, k: ArrayLike
     return PullOff(radius, force, depth)
 
 
+def work_of_adhesion_from_pull_off(F: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
+    """Work of separation at which a contact breaks under the normal force F: the inverse of pull_off().force.
+
+    dgamma = abs(F)**2*(R*abs(F)*(k + 1)**2*(k + 3)/(4*H))**((-k - 3)/(k + 3))*(k + 1)**2/(2*pi*H)
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    H : array_like
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
+        < 1.
+
+    Returns
+    -------
+    float or ndarray
+        Work of separation per unit area [N/m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R. The force is a tension, F < 0: 0 without a force, NaN under pressure, which breaks no
+    contact, and where no stable contact bears the tension.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Hertz 1882; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import paraboloid
+    >>> value = paraboloid.work_of_adhesion_from_pull_off(-0.08168, R=1.6, H=1.0, k=0.25)
+    >>> round(value, 6)
+    0.01
+    """
+    require(R=R, H=H, k=k)
+    return elementwise(_work_of_adhesion_from_pull_off, F=F, R=R, H=H, k=k)
+
+
 def _depth(a: Array, R: Array, H: Array, k: Array, dgamma: Array) -> Array:
     return normal._depth(a, R, k) - graded_retraction(a, H, k, dgamma)
 
@@ -486,3 +535,10 @@ def _radius_from_force(F: Array, R: Array, H: Array, k: Array, dgamma: Array) ->
     least = _pull_off_force(a_c, R, H, k, dgamma, control="force")
     plain = normal._radius_from_force(np.maximum(F, 0.0), R, H, k)
     return power_law_radius(F, a_c, least, 2.0 + 1.0 + k, (3.0 + k) / 2.0, plain)
+
+
+def _work_of_adhesion_from_pull_off(F: Array, R: Array, H: Array, k: Array) -> Array:
+    pull = np.where(F < 0.0, -F, np.nan)
+    lasting = pull
+    a = normal._radius_from_force(lasting, R, H, k)
+    return np.where(F == 0.0, 0.0, separation(pull + lasting, a, H, k))

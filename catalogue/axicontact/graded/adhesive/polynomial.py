@@ -13,10 +13,12 @@ import numpy as np
 from ..._runtime.graded.punch import (
     graded_retraction,
     growth_of,
+    held,
     least_steepness,
     pull_of,
     punch_displacement,
     punch_stiffness,
+    separation,
     tension,
 )
 from ..._runtime.interface import Array, Kept, Result, elementwise, require, require_coefficients
@@ -36,6 +38,7 @@ __all__ = [
     "radius_from_depth",
     "radius_from_force",
     "retraction",
+    "work_of_adhesion_from_pull_off",
 ]
 
 
@@ -460,6 +463,55 @@ def pull_off(control: str = "force", *, A: ArrayLike, H: ArrayLike, k: ArrayLike
     return PullOff(radius, force, depth)
 
 
+def work_of_adhesion_from_pull_off(F: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
+    """Work of separation at which a contact breaks under the normal force F: the inverse of pull_off().force.
+
+    dgamma = a**(-k - 3)*(F_N + abs(F))**2*(k + 1)**2/(8*pi*H) at the radius a at which it is least, F_N the
+    force without adhesion there
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    A : sequence of float
+        Coefficients of r, r^2, ..., none negative and not all zero.
+    H : array_like
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
+        < 1.
+
+    Returns
+    -------
+    float or ndarray
+        Work of separation per unit area [N/m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes. The force is a tension, F < 0: 0 without a force, NaN under pressure, which breaks
+    no contact, and where no stable contact bears the tension.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Schubert 1942; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import polynomial
+    >>> value = polynomial.work_of_adhesion_from_pull_off(-0.06323, A=(0.1, 0.25, 0.05), H=1.0, k=0.25)
+    >>> round(value, 6)
+    0.01
+    """
+    A = require_coefficients(A)
+    require(H=H, k=k)
+    return elementwise(partial(_work_of_adhesion_from_pull_off, A=A), F=F, H=H, k=k)
+
+
 def _depth(a: Array, A: tuple[float, ...], H: Array, k: Array, dgamma: Array) -> Array:
     return normal._depth(a, A, k) - graded_retraction(a, H, k, dgamma)
 
@@ -513,3 +565,20 @@ def _radius_from_force(F: Array, A: tuple[float, ...], H: Array, k: Array, dgamm
     slope = growth_of(normal._rate, (A, k), H, k, dgamma, control="force")
     pulled = pull_of(H, k, dgamma, control="force")
     return stable_radius(F, found, lambda a: _force(a, A, H, k, dgamma), slope, pulled, radius_itself())
+
+
+@Kept
+def _held_samples(A: tuple[float, ...], k: Array) -> Samples:
+    """The force that can be held, over the modulus, at radii that separate the minima of the work of separation."""
+    a = decades()
+    return Samples(a, held(a, normal._rate(a, A, k), normal._force(a, A, 1.0, k), k), np.inf, {})
+
+
+def _work_of_adhesion_from_pull_off(F: Array, A: tuple[float, ...], H: Array, k: Array) -> Array:
+    pull = np.where(F < 0.0, -F, np.nan)
+    found = branches(
+        lambda a: held(a, normal._rate(a, A, k), normal._force(a, A, 1.0, k), k), _held_samples(A, k), pull / H
+    )
+    a = lowest(found, lambda a: separation(pull + normal._force(a, A, H, k), a, H, k))
+    work = separation(pull + normal._force(a, A, H, k), a, H, k)
+    return np.where(F == 0.0, 0.0, work)

@@ -14,6 +14,7 @@ from ..._runtime.graded.punch import (
     graded_retraction,
     punch_displacement,
     punch_stiffness,
+    separation,
     stationary,
     tension,
     unloading_radius,
@@ -34,6 +35,7 @@ __all__ = [
     "radius_from_depth",
     "radius_from_force",
     "retraction",
+    "work_of_adhesion_from_pull_off",
 ]
 
 
@@ -495,6 +497,65 @@ def pull_off(
     return PullOff(radius, force, depth)
 
 
+def work_of_adhesion_from_pull_off(F: ArrayLike, *, A: ArrayLike, n: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
+    """Work of separation at which a contact breaks under the normal force F: the inverse of pull_off().force.
+
+    dgamma = abs(F)**2*(abs(F)*(k + 1)*(k + 3)*(k + n + 1)*gamma((k + n + 1)/2)/(2*A*H*n*(k + 2*n -
+    1)*gamma((k + 1)/2)*gamma(n/2 + 1)))**((-k - 3)/(k + n + 1))*(k + 1)**2*(k + n + 1)**2/(2*pi*H*(k + 2*n -
+    1)**2)
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    n : array_like
+        Exponent of the profile [1], n > 0.
+    H : array_like
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
+        < 1.
+
+    Returns
+    -------
+    float or ndarray
+        Work of separation per unit area [N/m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes, n A a^(n-1) << 1. The force is a tension, F < 0: 0 without a force, NaN under
+    pressure, which breaks no contact, and where no stable contact bears the tension.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Galin 1946; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import power_law
+    >>> value = power_law.work_of_adhesion_from_pull_off(-0.04476, A=0.45, n=1.5, H=1.0, k=0.25)
+    >>> round(value, 6)
+    0.01
+    """
+    require(A=A, n=n, H=H, k=k)
+    require_order(
+        np.asarray(n) > (1.0 - np.asarray(k)) / 2.0,
+        "n > (1 - k)/2",
+        "a sharper profile has no pull-off, its adhesive contact is unstable at every radius; "
+        "use n > (1 - k)/2, or force(a) and depth(a) for the states of equilibrium",
+        n=n,
+        k=k,
+    )
+    return elementwise(_work_of_adhesion_from_pull_off, F=F, A=A, n=n, H=H, k=k)
+
+
 def _depth(a: Array, A: Array, n: Array, H: Array, k: Array, dgamma: Array) -> Array:
     return normal._depth(a, A, n, k) - graded_retraction(a, H, k, dgamma)
 
@@ -539,3 +600,10 @@ def _radius_from_force(F: Array, A: Array, n: Array, H: Array, k: Array, dgamma:
     least = _pull_off_force(a_c, A, n, H, k, dgamma, control="force")
     plain = normal._radius_from_force(np.maximum(F, 0.0), A, n, H, k)
     return power_law_radius(F, a_c, least, n + 1.0 + k, (3.0 + k) / 2.0, plain)
+
+
+def _work_of_adhesion_from_pull_off(F: Array, A: Array, n: Array, H: Array, k: Array) -> Array:
+    pull = np.where(F < 0.0, -F, np.nan)
+    lasting = pull * (k + 3) / (k + 2 * n - 1)
+    a = normal._radius_from_force(lasting, A, n, H, k)
+    return np.where(F == 0.0, 0.0, separation(pull + lasting, a, H, k))

@@ -14,6 +14,7 @@ from ..._runtime.graded.punch import (
     graded_retraction,
     punch_displacement,
     punch_stiffness,
+    separation,
     stationary,
     tension,
     unloading_radius,
@@ -34,6 +35,7 @@ __all__ = [
     "radius_from_depth",
     "radius_from_force",
     "retraction",
+    "work_of_adhesion_from_pull_off",
 ]
 
 
@@ -442,6 +444,54 @@ def pull_off(control: str = "force", *, A: ArrayLike, H: ArrayLike, k: ArrayLike
     return PullOff(radius, force, depth)
 
 
+def work_of_adhesion_from_pull_off(F: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
+    """Work of separation at which a contact breaks under the normal force F: the inverse of pull_off().force.
+
+    dgamma = abs(F)**2*(abs(F)*(k + 1)**2*(k + 3)**2*(k + 5)/(64*A*H*(k + 7)))**((-k - 3)/(k + 5))*(k +
+    1)**2*(k + 5)**2/(2*pi*H*(k + 7)**2)
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    H : array_like
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
+        < 1.
+
+    Returns
+    -------
+    float or ndarray
+        Work of separation per unit area [N/m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes, 4 A a^3 << 1. The force is a tension, F < 0: 0 without a force, NaN under
+    pressure, which breaks no contact, and where no stable contact bears the tension.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Steuermann 1939; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import quartic
+    >>> value = quartic.work_of_adhesion_from_pull_off(-0.1107, A=0.4, H=1.0, k=0.25)
+    >>> round(value, 6)
+    0.010002
+    """
+    require(A=A, H=H, k=k)
+    return elementwise(_work_of_adhesion_from_pull_off, F=F, A=A, H=H, k=k)
+
+
 def _depth(a: Array, A: Array, H: Array, k: Array, dgamma: Array) -> Array:
     return normal._depth(a, A, k) - graded_retraction(a, H, k, dgamma)
 
@@ -486,3 +536,10 @@ def _radius_from_force(F: Array, A: Array, H: Array, k: Array, dgamma: Array) ->
     least = _pull_off_force(a_c, A, H, k, dgamma, control="force")
     plain = normal._radius_from_force(np.maximum(F, 0.0), A, H, k)
     return power_law_radius(F, a_c, least, 4.0 + 1.0 + k, (3.0 + k) / 2.0, plain)
+
+
+def _work_of_adhesion_from_pull_off(F: Array, A: Array, H: Array, k: Array) -> Array:
+    pull = np.where(F < 0.0, -F, np.nan)
+    lasting = pull * (k + 3) / (k + 7)
+    a = normal._radius_from_force(lasting, A, H, k)
+    return np.where(F == 0.0, 0.0, separation(pull + lasting, a, H, k))

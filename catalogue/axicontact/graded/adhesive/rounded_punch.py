@@ -13,10 +13,12 @@ import numpy as np
 from ..._runtime.graded.punch import (
     graded_retraction,
     growth_of,
+    held,
     least_steepness,
     pull_of,
     punch_displacement,
     punch_stiffness,
+    separation,
     tension,
 )
 from ..._runtime.interface import Array, Kept, Result, elementwise, require, require_reach
@@ -36,6 +38,7 @@ __all__ = [
     "radius_from_depth",
     "radius_from_force",
     "retraction",
+    "work_of_adhesion_from_pull_off",
 ]
 
 
@@ -491,6 +494,56 @@ def pull_off(
     return PullOff(radius, force, depth)
 
 
+def work_of_adhesion_from_pull_off(F: ArrayLike, *, R: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
+    """Work of separation at which a contact breaks under the normal force F: the inverse of pull_off().force.
+
+    dgamma = a**(-k - 3)*(F_N + abs(F))**2*(k + 1)**2/(8*pi*H) at the radius a at which it is least, F_N the
+    force without adhesion there
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    b : array_like
+        Radius at which the profile breaks, or its length across [m], b > 0.
+    H : array_like
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
+        < 1.
+
+    Returns
+    -------
+    float or ndarray
+        Work of separation per unit area [N/m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a - b << R (parabolic rounding). The force is a tension, F < 0: 0 without a force, NaN under
+    pressure, which breaks no contact, and where no stable contact bears the tension.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Schubert 1942; Ciavarella 1999.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import rounded_punch
+    >>> value = rounded_punch.work_of_adhesion_from_pull_off(-0.5601, R=1.45, b=1.15, H=1.0, k=0.25)
+    >>> round(value, 6)
+    0.01
+    """
+    require(R=R, b=b, H=H, k=k)
+    return elementwise(_work_of_adhesion_from_pull_off, F=F, R=R, b=b, H=H, k=k)
+
+
 def _depth(a: Array, R: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
     return normal._depth(a, R, b, k) - graded_retraction(a, H, k, dgamma)
 
@@ -570,3 +623,25 @@ def _radius_from_force(F: Array, R: Array, b: Array, H: Array, k: Array, dgamma:
         F, found, lambda a: _force(a, R, b, H, k, dgamma), slope, pulled, radius_itself(), beyond_edge(b)
     )
     return np.ldexp(radius, unit)
+
+
+@Kept
+def _held_samples(R: Array, b: Array, k: Array) -> Samples:
+    """The force that can be held, over the modulus, at radii that separate the minima of the work of separation."""
+    a = radii_beyond(b)
+    return Samples(a, held(a, normal._rate(a, R, b, k), normal._force(a, R, b, 1.0, k), k), np.inf, {})
+
+
+def _work_of_adhesion_from_pull_off(F: Array, R: Array, b: Array, H: Array, k: Array) -> Array:
+    unit = exponent_of(b)
+    stress, H = stress_at(unit, H, k)
+    R = np.ldexp(R, -unit)
+    b = np.ldexp(b, -unit)
+    F = np.ldexp(F, -(stress + 2 * unit))
+    pull = np.where(F < 0.0, -F, np.nan)
+    found = branches(
+        lambda a: held(a, normal._rate(a, R, b, k), normal._force(a, R, b, 1.0, k), k), _held_samples(R, b, k), pull / H
+    )
+    a = lowest(found, lambda a: separation(pull + normal._force(a, R, b, H, k), a, H, k))
+    work = separation(pull + normal._force(a, R, b, H, k), a, H, k)
+    return np.where(F == 0.0, 0.0, np.ldexp(work, stress + unit))

@@ -13,10 +13,12 @@ import numpy as np
 from ..._runtime.graded.punch import (
     graded_retraction,
     growth_of,
+    held,
     least_steepness,
     pull_of,
     punch_displacement,
     punch_stiffness,
+    separation,
     tension,
 )
 from ..._runtime.interface import Array, Kept, Result, elementwise, require, require_reach
@@ -36,6 +38,7 @@ __all__ = [
     "radius_from_depth",
     "radius_from_force",
     "retraction",
+    "work_of_adhesion_from_pull_off",
 ]
 
 
@@ -492,6 +495,58 @@ def pull_off(
     return PullOff(radius, force, depth)
 
 
+def work_of_adhesion_from_pull_off(
+    F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLike
+) -> Result:
+    """Work of separation at which a contact breaks under the normal force F: the inverse of pull_off().force.
+
+    dgamma = a**(-k - 3)*(F_N + abs(F))**2*(k + 1)**2/(8*pi*H) at the radius a at which it is least, F_N the
+    force without adhesion there
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius at which the profile breaks, or its length across [m], b > 0.
+    H : array_like
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
+        < 1.
+
+    Returns
+    -------
+    float or ndarray
+        Work of separation per unit area [N/m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. The force is a tension, F < 0: 0 without a force, NaN under pressure, which
+    breaks no contact, and where no stable contact bears the tension.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Ejike 1981.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import truncated_cone
+    >>> value = truncated_cone.work_of_adhesion_from_pull_off(-0.13, theta=0.42, b=0.5, H=1.0, k=0.25)
+    >>> round(value, 6)
+    0.009996
+    """
+    require(theta=theta, b=b, H=H, k=k)
+    return elementwise(_work_of_adhesion_from_pull_off, F=F, theta=theta, b=b, H=H, k=k)
+
+
 def _depth(a: Array, theta: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
     return normal._depth(a, theta, b, k) - graded_retraction(a, H, k, dgamma)
 
@@ -568,3 +623,26 @@ def _radius_from_force(F: Array, theta: Array, b: Array, H: Array, k: Array, dga
         F, found, lambda a: _force(a, theta, b, H, k, dgamma), slope, pulled, radius_itself(), beyond_edge(b, 1.0 + k)
     )
     return np.ldexp(radius, unit)
+
+
+@Kept
+def _held_samples(theta: Array, b: Array, k: Array) -> Samples:
+    """The force that can be held, over the modulus, at radii that separate the minima of the work of separation."""
+    a = radii_beyond(b)
+    return Samples(a, held(a, normal._rate(a, theta, b, k), normal._force(a, theta, b, 1.0, k), k), np.inf, {})
+
+
+def _work_of_adhesion_from_pull_off(F: Array, theta: Array, b: Array, H: Array, k: Array) -> Array:
+    unit = exponent_of(b)
+    stress, H = stress_at(unit, H, k)
+    b = np.ldexp(b, -unit)
+    F = np.ldexp(F, -(stress + 2 * unit))
+    pull = np.where(F < 0.0, -F, np.nan)
+    found = branches(
+        lambda a: held(a, normal._rate(a, theta, b, k), normal._force(a, theta, b, 1.0, k), k),
+        _held_samples(theta, b, k),
+        pull / H,
+    )
+    a = lowest(found, lambda a: separation(pull + normal._force(a, theta, b, H, k), a, H, k))
+    work = separation(pull + normal._force(a, theta, b, H, k), a, H, k)
+    return np.where(F == 0.0, 0.0, np.ldexp(work, stress + unit))

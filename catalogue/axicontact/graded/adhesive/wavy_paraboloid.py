@@ -13,10 +13,12 @@ import numpy as np
 from ..._runtime.graded.punch import (
     graded_retraction,
     growth_of,
+    held,
     least_steepness,
     pull_of,
     punch_displacement,
     punch_stiffness,
+    separation,
     tension,
 )
 from ..._runtime.interface import Array, Kept, Result, elementwise, require
@@ -36,6 +38,7 @@ __all__ = [
     "radius_from_depth",
     "radius_from_force",
     "retraction",
+    "work_of_adhesion_from_pull_off",
 ]
 
 
@@ -530,6 +533,62 @@ def pull_off(
     return PullOff(radius, force, depth)
 
 
+def work_of_adhesion_from_pull_off(
+    F: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike, H: ArrayLike, k: ArrayLike
+) -> Result:
+    """Work of separation at which a contact breaks under the normal force F: the inverse of pull_off().force.
+
+    dgamma = a**(-k - 3)*(F_N + abs(F))**2*(k + 1)**2/(8*pi*H) at the radius a at which it is least, F_N the
+    force without adhesion there
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    h : array_like
+        Height or depth of the profile [m], h > 0.
+    wavelength : array_like
+        Wavelength of the waviness [m], wavelength > 0.
+    H : array_like
+        Foundation modulus of the graded half-space, c_N(x) = H |x|^k [Pa m^(-k)], H > 0.
+    k : array_like
+        Exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space [1], -1 < k
+        < 1.
+
+    Returns
+    -------
+    float or ndarray
+        Work of separation per unit area [N/m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R; waves so flat that g' >= 0 for every a. The force is a tension, F < 0: 0 without a
+    force, NaN under pressure, which breaks no contact, and where no stable contact bears the tension.
+
+    References
+    ----------
+    chapter 11, equation (11.64); chapter 11, equation (11.66); Guduru 2007.
+
+    Examples
+    --------
+    >>> from axicontact.graded.adhesive import wavy_paraboloid
+    >>> value = wavy_paraboloid.work_of_adhesion_from_pull_off(
+    ...     -0.08921, R=1.6, h=0.01, wavelength=0.5, H=1.0, k=0.25
+    ... )
+    >>> round(value, 6)
+    0.009999
+    """
+    normal._check(R=R, h=h, wavelength=wavelength, H=H, k=k)
+    return elementwise(_work_of_adhesion_from_pull_off, F=F, R=R, h=h, wavelength=wavelength, H=H, k=k)
+
+
 def _depth(a: Array, R: Array, h: Array, wavelength: Array, H: Array, k: Array, dgamma: Array) -> Array:
     return normal._depth(a, R, h, wavelength, k) - graded_retraction(a, H, k, dgamma)
 
@@ -551,16 +610,16 @@ def _displacement(
 
 
 @Kept
-def _samples(R: Array, h: Array, wavelength: Array, k: Array) -> Samples:
+def _samples(R: Array, h: Array, wavelength: Array, H: Array, k: Array, dgamma: Array) -> Samples:
     """The steepness at radii that separate the minima of the load."""
-    a = radii_of_waves(wavelength, 4.0 * wavelength)
+    a = radii_of_waves(wavelength, (2.0 * (1.0 + k) * R * least_steepness("force", H, k, dgamma)) ** (2.0 / (3.0 + k)))
     return Samples(a, a ** ((1.0 + k) / 2.0) * normal._rate(a, R, h, wavelength, k), np.inf, {})
 
 
 def _branches(R: Array, h: Array, wavelength: Array, H: Array, k: Array, dgamma: Array, control: str) -> Branches:
     return branches(
         lambda a: a ** ((1.0 + k) / 2.0) * normal._rate(a, R, h, wavelength, k),
-        _samples(R, h, wavelength, k),
+        _samples(R, h, wavelength, H, k, dgamma),
         least_steepness(control, H, k, dgamma),
     )
 
@@ -616,3 +675,32 @@ def _radius_from_force(F: Array, R: Array, h: Array, wavelength: Array, H: Array
         F, found, lambda a: _force(a, R, h, wavelength, H, k, dgamma), slope, pulled, radius_itself()
     )
     return np.ldexp(radius, unit)
+
+
+@Kept
+def _held_samples(R: Array, h: Array, wavelength: Array, H: Array, k: Array, pull: Array) -> Samples:
+    """The force that can be held, over the modulus, at radii that separate the minima of the work of separation."""
+    a = radii_of_waves(
+        wavelength, (8.0 * (1.0 + k) * (3.0 + k) * R * pull / punch_stiffness(1.0, H, k)) ** (1.0 / (3.0 + k))
+    )
+    return Samples(
+        a, held(a, normal._rate(a, R, h, wavelength, k), normal._force(a, R, h, wavelength, 1.0, k), k), np.inf, {}
+    )
+
+
+def _work_of_adhesion_from_pull_off(F: Array, R: Array, h: Array, wavelength: Array, H: Array, k: Array) -> Array:
+    unit = exponent_of(wavelength)
+    stress, H = stress_at(unit, H, k)
+    R = np.ldexp(R, -unit)
+    h = np.ldexp(h, -unit)
+    wavelength = np.ldexp(wavelength, -unit)
+    F = np.ldexp(F, -(stress + 2 * unit))
+    pull = np.where(F < 0.0, -F, np.nan)
+    found = branches(
+        lambda a: held(a, normal._rate(a, R, h, wavelength, k), normal._force(a, R, h, wavelength, 1.0, k), k),
+        _held_samples(R, h, wavelength, H, k, pull),
+        pull / H,
+    )
+    a = lowest(found, lambda a: separation(pull + normal._force(a, R, h, wavelength, H, k), a, H, k))
+    work = separation(pull + normal._force(a, R, h, wavelength, H, k), a, H, k)
+    return np.where(F == 0.0, 0.0, np.ldexp(work, stress + unit))

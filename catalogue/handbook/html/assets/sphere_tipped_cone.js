@@ -1095,7 +1095,7 @@ const _last_step = (t, value, y, slope) => {
 const POLISHING = 3;
 
 const inverse = (curve, value, start, exponents, largest = Infinity, share = null, smooth = false, noise = null) => {
-  let _, before, change, close, error, high, iteration, left, low, moved, position, root, slope, slope_before, solvable, step, t, y;
+  let _, before, change, close, error, high, iteration, known, left, low, moved, position, root, slope, slope_before, solvable, step, t, y;
   if (false) {
     return start.root(curve, value, largest, exponents);
   }
@@ -1106,7 +1106,8 @@ const inverse = (curve, value, start, exponents, largest = Infinity, share = nul
   [low, high] = [math.full(position, (-Infinity)), math.full(position, Math.log(largest))];
   step = (error / slope);
   close = ((noise == null) ? (ROUNDING * value) : noise);
-  solvable = (((value > 0.0) & (value < Infinity)) & (y === y));
+  known = (y === y);
+  solvable = (((value > 0.0) & (value < Infinity)) & known);
   for (iteration of math.range(ITERATIONS)) {
     left = (solvable & math.logical_not((Math.abs(error) <= (SETTLED * math.minimum(slope, 1.0)))));
     left = (left & math.logical_not((Math.abs((value - y)) <= close)));
@@ -1139,7 +1140,7 @@ const inverse = (curve, value, start, exponents, largest = Infinity, share = nul
       t = (t + change);
     }
   }
-  root = ((value >= 0.0) ? math.minimum(t, largest) : NaN);
+  root = (((value >= 0.0) & known) ? math.minimum(t, largest) : NaN);
   return ((value === 0.0) ? 0.0 : ((value === Infinity) ? Infinity : root));
 };
 

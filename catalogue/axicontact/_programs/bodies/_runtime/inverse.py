@@ -36,7 +36,8 @@ def inverse(curve, value, start, exponents, largest=np.inf, share=None, smooth=F
     low, high = (np.full_like(position, -np.inf), np.full_like(position, np.log(largest)))
     step = error / slope
     close = ROUNDING * value if noise is None else noise
-    solvable = (value > 0.0) & (value < np.inf) & (y == y)
+    known = y == y
+    solvable = (value > 0.0) & (value < np.inf) & known
     for iteration in range(ITERATIONS):
         left = solvable & np.logical_not(np.abs(error) <= SETTLED * np.minimum(slope, 1.0))
         left = left & np.logical_not(np.abs(value - y) <= close)
@@ -63,7 +64,7 @@ def inverse(curve, value, start, exponents, largest=np.inf, share=None, smooth=F
                 break
             change = _last_step(t, value, *curve(t))
             t = t + change
-    root = np.minimum(t, largest) if value >= 0.0 else np.nan
+    root = np.minimum(t, largest) if (value >= 0.0) & known else np.nan
     return 0.0 if value == 0.0 else np.inf if value == np.inf else root
 
 

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 
-from ...._programs.bodies._runtime.physics.adhesion import hess_retraction, least_steepness, pull
+from ...._programs.bodies.normal import capped_paraboloid as normal
+from ...._programs.bodies._runtime.physics.adhesion import held, hess_retraction, least_steepness, pull, separation
 from ...._programs.bodies._runtime.physics.branches import exponent_of
 from ...._programs.bodies._runtime.physics.stable import growth, stable_radius
 from ...._programs.bodies._runtime.physics.unknowns import beyond_edge, radius_itself
 from ...._runtime.physics.single import branches, lowest
-from ....adhesive.capped_paraboloid import _samples
+from ....adhesive.capped_paraboloid import _held_samples, _samples
 from ...._runtime.plain import sqrt, MATH as np
 
 
@@ -79,3 +80,18 @@ def _radius_from_force(F, R1, R2, b, E_star, dgamma):
     found = _branches(R1, R2, b, E_star, dgamma, control='force')
     radius = stable_radius(F, found, lambda a: _force(a, R1, R2, b, E_star, dgamma), lambda a: growth(_rate(a, R1, R2, b), a, 'force', E_star, dgamma), lambda a: pull(a, E_star, dgamma), radius_itself(), beyond_edge(b), corner=b)
     return np.ldexp(radius, unit)
+
+
+def _work_of_adhesion_from_pull_off(F, R1, R2, b, E_star):
+    unit = exponent_of(b)
+    stress = exponent_of(E_star)
+    E_star = np.ldexp(E_star, -stress)
+    R1 = np.ldexp(R1, -unit)
+    R2 = np.ldexp(R2, -unit)
+    b = np.ldexp(b, -unit)
+    F = np.ldexp(F, -(stress + 2 * unit))
+    pull = -F if F < 0.0 else np.nan
+    found = branches(lambda a: held(a, _rate(a, R1, R2, b), normal._force(a, R1, R2, b, 1.0)), _held_samples(R1, R2, b), pull / E_star)
+    a = lowest(found, lambda a: separation(pull + normal._force(a, R1, R2, b, E_star), a, E_star))
+    work = separation(pull + normal._force(a, R1, R2, b, E_star), a, E_star)
+    return 0.0 if F == 0.0 else np.ldexp(work, stress + unit)

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from math import fsum, inf, nan
 
-from ...._programs.bodies._runtime.physics.adhesion import hess_retraction, least_steepness, pull
+from ...._programs.bodies.normal import gaussian as normal
+from ...._programs.bodies._runtime.physics.adhesion import held, hess_retraction, least_steepness, pull, separation
 from ...._programs.bodies._runtime.physics.branches import exponent_of
 from ...._programs.bodies._runtime.physics.stable import growth, stable_radius
 from ...._programs.bodies._runtime.physics.unknowns import on_the_bump
 from ...._runtime.physics.single import branches, lowest
-from ....adhesive.gaussian import _samples
+from ....adhesive.gaussian import _held_samples, _samples
 from ...._runtime.plain import sqrt, rule, MATH as np
 
 RULE_0 = rule(((inf, 32),))
@@ -95,3 +96,17 @@ def _radius_from_force(F, h, s, E_star, dgamma):
     found = _branches(h, s, E_star, dgamma, control='force')
     radius = stable_radius(F, found, lambda a: _force(a, h, s, E_star, dgamma), lambda a: growth(_rate(a, h, s), a, 'force', E_star, dgamma), lambda a: pull(a, E_star, dgamma), on_the_bump(s))
     return np.ldexp(radius, unit)
+
+
+def _work_of_adhesion_from_pull_off(F, h, s, E_star):
+    unit = exponent_of(s)
+    stress = exponent_of(E_star)
+    E_star = np.ldexp(E_star, -stress)
+    h = np.ldexp(h, -unit)
+    s = np.ldexp(s, -unit)
+    F = np.ldexp(F, -(stress + 2 * unit))
+    pull = -F if F < 0.0 else np.nan
+    found = branches(lambda a: held(a, _rate(a, h, s), normal._force(a, h, s, 1.0)), _held_samples(h, s), pull / E_star)
+    a = lowest(found, lambda a: separation(pull + normal._force(a, h, s, E_star), a, E_star))
+    work = separation(pull + normal._force(a, h, s, E_star), a, E_star)
+    return 0.0 if F == 0.0 else np.ldexp(work, stress + unit)

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from math import atan, atan2, tan
 
-from ...._programs.bodies._runtime.physics.adhesion import hess_retraction, least_steepness, pull
+from ...._programs.bodies.normal import hyperboloid as normal
+from ...._programs.bodies._runtime.physics.adhesion import held, hess_retraction, least_steepness, pull, separation
 from ...._programs.bodies._runtime.physics.branches import exponent_of
 from ...._programs.bodies._runtime.physics.stable import growth, stable_radius
 from ...._programs.bodies._runtime.physics.unknowns import radius_itself
 from ...._runtime.physics.single import branches, lowest
-from ....adhesive.hyperboloid import _samples
+from ....adhesive.hyperboloid import _held_samples, _samples
 from ...._runtime.plain import sqrt, MATH as np
 
 
@@ -70,3 +71,16 @@ def _radius_from_force(F, theta, b, E_star, dgamma):
     found = _branches(theta, b, E_star, dgamma, control='force')
     radius = stable_radius(F, found, lambda a: _force(a, theta, b, E_star, dgamma), lambda a: growth(_rate(a, theta, b), a, 'force', E_star, dgamma), lambda a: pull(a, E_star, dgamma), radius_itself())
     return np.ldexp(radius, unit)
+
+
+def _work_of_adhesion_from_pull_off(F, theta, b, E_star):
+    unit = exponent_of(b)
+    stress = exponent_of(E_star)
+    E_star = np.ldexp(E_star, -stress)
+    b = np.ldexp(b, -unit)
+    F = np.ldexp(F, -(stress + 2 * unit))
+    pull = -F if F < 0.0 else np.nan
+    found = branches(lambda a: held(a, _rate(a, theta, b), normal._force(a, theta, b, 1.0)), _held_samples(theta, b), pull / E_star)
+    a = lowest(found, lambda a: separation(pull + normal._force(a, theta, b, E_star), a, E_star))
+    work = separation(pull + normal._force(a, theta, b, E_star), a, E_star)
+    return 0.0 if F == 0.0 else np.ldexp(work, stress + unit)

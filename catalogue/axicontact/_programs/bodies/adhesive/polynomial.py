@@ -4,11 +4,11 @@ from __future__ import annotations
 
 
 from ...._programs.bodies.normal import polynomial as normal
-from ...._programs.bodies._runtime.physics.adhesion import hess_retraction, least_steepness, lift, pull, tension
+from ...._programs.bodies._runtime.physics.adhesion import held, hess_retraction, least_steepness, lift, pull, separation, tension
 from ...._programs.bodies._runtime.physics.stable import growth, stable_radius
 from ...._programs.bodies._runtime.physics.unknowns import radius_itself
 from ...._runtime.physics.single import branches, lowest
-from ....adhesive.polynomial import _samples
+from ....adhesive.polynomial import _held_samples, _samples
 from ...._runtime.plain import MATH as np
 
 
@@ -51,3 +51,11 @@ def _radius_from_depth(d, A, E_star, dgamma):
 def _radius_from_force(F, A, E_star, dgamma):
     found = _branches(A, E_star, dgamma, control='force')
     return stable_radius(F, found, lambda a: _force(a, A, E_star, dgamma), lambda a: growth(_rate(a, A), a, 'force', E_star, dgamma), lambda a: pull(a, E_star, dgamma), radius_itself())
+
+
+def _work_of_adhesion_from_pull_off(F, A, E_star):
+    pull = -F if F < 0.0 else np.nan
+    found = branches(lambda a: held(a, _rate(a, A), normal._force(a, A, 1.0)), _held_samples(A), pull / E_star)
+    a = lowest(found, lambda a: separation(pull + normal._force(a, A, E_star), a, E_star))
+    work = separation(pull + normal._force(a, A, E_star), a, E_star)
+    return 0.0 if F == 0.0 else work

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from math import asinh, atan2, cos, exp, expm1, fsum, inf, sin, tanh
 
-from ...._programs.bodies._runtime.physics.adhesion import hess_retraction, least_steepness, pull
+from ...._programs.bodies.normal import sphere_tipped_cone as normal
+from ...._programs.bodies._runtime.physics.adhesion import held, hess_retraction, least_steepness, pull, separation
 from ...._programs.bodies._runtime.physics.branches import exponent_of
 from ...._programs.bodies._runtime.physics.stable import growth, stable_radius
 from ...._programs.bodies._runtime.physics.unknowns import beyond_edge, up_to
 from ...._runtime.physics.single import branches, lowest
-from ....adhesive.sphere_tipped_cone import _samples
+from ....adhesive.sphere_tipped_cone import _held_samples, _samples
 from ...._runtime.plain import log1p, sqrt, rule, MATH as np
 
 RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
@@ -114,3 +115,16 @@ def _radius_from_force(F, R, theta, E_star, dgamma):
     found = _branches(R, theta, E_star, dgamma, control='force')
     radius = stable_radius(F, found, lambda a: _force(a, R, theta, E_star, dgamma), lambda a: growth(_rate(a, R, theta), a, 'force', E_star, dgamma), lambda a: pull(a, E_star, dgamma), up_to(R), beyond_edge(R * np.sin(theta)), corner=R * np.sin(theta))
     return np.ldexp(radius, unit)
+
+
+def _work_of_adhesion_from_pull_off(F, R, theta, E_star):
+    unit = exponent_of(R * np.sin(theta))
+    stress = exponent_of(E_star)
+    E_star = np.ldexp(E_star, -stress)
+    R = np.ldexp(R, -unit)
+    F = np.ldexp(F, -(stress + 2 * unit))
+    pull = -F if F < 0.0 else np.nan
+    found = branches(lambda a: held(a, _rate(a, R, theta), normal._force(a, R, theta, 1.0)), _held_samples(R, theta), pull / E_star)
+    a = lowest(found, lambda a: separation(pull + normal._force(a, R, theta, E_star), a, E_star))
+    work = separation(pull + normal._force(a, R, theta, E_star), a, E_star)
+    return 0.0 if F == 0.0 else np.ldexp(work, stress + unit)

@@ -5,12 +5,12 @@ from __future__ import annotations
 from math import cos, sin
 
 from ...._programs.bodies.normal import wavy_paraboloid as normal
-from ...._programs.bodies._runtime.physics.adhesion import hess_retraction, least_steepness, lift, pull, tension
+from ...._programs.bodies._runtime.physics.adhesion import held, hess_retraction, least_steepness, lift, pull, separation, tension
 from ...._programs.bodies._runtime.physics.branches import exponent_of
 from ...._programs.bodies._runtime.physics.stable import growth, stable_radius
 from ...._programs.bodies._runtime.physics.unknowns import radius_itself
 from ...._runtime.physics.single import branches, lowest
-from ....adhesive.wavy_paraboloid import _samples
+from ....adhesive.wavy_paraboloid import _held_samples, _samples
 from ...._runtime.plain import sqrt, MATH as np
 
 
@@ -146,3 +146,18 @@ def _radius_from_force(F, R, h, wavelength, E_star, dgamma):
     found = _branches(R, h, wavelength, E_star, dgamma, control='force')
     radius = stable_radius(F, found, lambda a: _force(a, R, h, wavelength, E_star, dgamma), lambda a: growth(_rate(a, R, h, wavelength), a, 'force', E_star, dgamma), lambda a: pull(a, E_star, dgamma), radius_itself())
     return np.ldexp(radius, unit)
+
+
+def _work_of_adhesion_from_pull_off(F, R, h, wavelength, E_star):
+    unit = exponent_of(wavelength)
+    stress = exponent_of(E_star)
+    E_star = np.ldexp(E_star, -stress)
+    R = np.ldexp(R, -unit)
+    h = np.ldexp(h, -unit)
+    wavelength = np.ldexp(wavelength, -unit)
+    F = np.ldexp(F, -(stress + 2 * unit))
+    pull = -F if F < 0.0 else np.nan
+    found = branches(lambda a: held(a, _rate(a, R, h, wavelength), normal._force(a, R, h, wavelength, 1.0)), _held_samples(R, h, wavelength, E_star, pull), pull / E_star)
+    a = lowest(found, lambda a: separation(pull + normal._force(a, R, h, wavelength, E_star), a, E_star))
+    work = separation(pull + normal._force(a, R, h, wavelength, E_star), a, E_star)
+    return 0.0 if F == 0.0 else np.ldexp(work, stress + unit)

@@ -86,7 +86,7 @@ def _parted(theta, E_star, dgamma, sigma_0):
 
 
 def _pull_off_zone(a, theta, E_star, dgamma, sigma_0):
-    return either(a > 0.0, lambda: _zone(a, theta, E_star, dgamma, sigma_0), lambda: _parted(theta, E_star, dgamma, sigma_0))
+    return either(a > 0.0, lambda: _zone(a, theta, E_star, dgamma, sigma_0), lambda: _parted(theta, E_star, dgamma, sigma_0) if a == 0.0 else np.nan)
 
 
 def _pull_off_depth(a, q, theta, E_star, dgamma, sigma_0):

@@ -91,7 +91,7 @@ def _parted(h, b, E_star, dgamma, sigma_0):
 
 
 def _pull_off_zone(a, h, b, E_star, dgamma, sigma_0):
-    return either(a > 0.0, lambda: _zone(a, h, b, E_star, dgamma, sigma_0), lambda: _parted(h, b, E_star, dgamma, sigma_0))
+    return either(a > 0.0, lambda: _zone(a, h, b, E_star, dgamma, sigma_0), lambda: _parted(h, b, E_star, dgamma, sigma_0) if a == 0.0 else np.nan)
 
 
 def _pull_off_depth(a, q, h, b, E_star, dgamma, sigma_0):

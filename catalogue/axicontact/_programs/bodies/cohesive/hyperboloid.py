@@ -114,7 +114,7 @@ def _parted(theta, b, E_star, dgamma, sigma_0):
 
 
 def _pull_off_zone(a, theta, b, E_star, dgamma, sigma_0):
-    return either(a > 0.0, lambda: _zone(a, theta, b, E_star, dgamma, sigma_0), lambda: _parted(theta, b, E_star, dgamma, sigma_0))
+    return either(a > 0.0, lambda: _zone(a, theta, b, E_star, dgamma, sigma_0), lambda: _parted(theta, b, E_star, dgamma, sigma_0) if a == 0.0 else np.nan)
 
 
 def _pull_off_depth(a, q, theta, b, E_star, dgamma, sigma_0):

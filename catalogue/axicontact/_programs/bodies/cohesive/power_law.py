@@ -131,7 +131,7 @@ def _parted(A, n, E_star, dgamma, sigma_0):
 
 
 def _pull_off_zone(a, A, n, E_star, dgamma, sigma_0):
-    return either(a > 0.0, lambda: _zone(a, A, n, E_star, dgamma, sigma_0), lambda: _parted(A, n, E_star, dgamma, sigma_0))
+    return either(a > 0.0, lambda: _zone(a, A, n, E_star, dgamma, sigma_0), lambda: _parted(A, n, E_star, dgamma, sigma_0) if a == 0.0 else np.nan)
 
 
 def _pull_off_depth(a, q, A, n, E_star, dgamma, sigma_0):

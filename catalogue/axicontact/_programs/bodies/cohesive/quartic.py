@@ -87,7 +87,7 @@ def _parted(A, E_star, dgamma, sigma_0):
 
 
 def _pull_off_zone(a, A, E_star, dgamma, sigma_0):
-    return either(a > 0.0, lambda: _zone(a, A, E_star, dgamma, sigma_0), lambda: _parted(A, E_star, dgamma, sigma_0))
+    return either(a > 0.0, lambda: _zone(a, A, E_star, dgamma, sigma_0), lambda: _parted(A, E_star, dgamma, sigma_0) if a == 0.0 else np.nan)
 
 
 def _pull_off_depth(a, q, A, E_star, dgamma, sigma_0):

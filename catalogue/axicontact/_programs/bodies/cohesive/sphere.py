@@ -91,7 +91,7 @@ def _parted(R, E_star, dgamma, sigma_0):
 
 
 def _pull_off_zone(a, R, E_star, dgamma, sigma_0):
-    return either(a > 0.0, lambda: _zone(a, R, E_star, dgamma, sigma_0), lambda: _parted(R, E_star, dgamma, sigma_0))
+    return either(a > 0.0, lambda: _zone(a, R, E_star, dgamma, sigma_0), lambda: _parted(R, E_star, dgamma, sigma_0) if a == 0.0 else np.nan)
 
 
 def _pull_off_depth(a, q, R, E_star, dgamma, sigma_0):

@@ -126,7 +126,7 @@ def _parted(R, theta, E_star, dgamma, sigma_0):
 
 
 def _pull_off_zone(a, R, theta, E_star, dgamma, sigma_0):
-    return either(a > 0.0, lambda: _zone(a, R, theta, E_star, dgamma, sigma_0), lambda: _parted(R, theta, E_star, dgamma, sigma_0))
+    return either(a > 0.0, lambda: _zone(a, R, theta, E_star, dgamma, sigma_0), lambda: _parted(R, theta, E_star, dgamma, sigma_0) if a == 0.0 else np.nan)
 
 
 def _pull_off_depth(a, q, R, theta, E_star, dgamma, sigma_0):

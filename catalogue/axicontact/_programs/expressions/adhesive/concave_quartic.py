@@ -1,3 +1,16 @@
 """Formulas of axicontact.adhesive.concave_quartic over an array library `xp`."""
 
 from ...._programs.expressions._runtime.physics.adhesion import hess_retraction as retraction
+from ...._programs.expressions._runtime.physics.adhesion import separation
+
+
+def pull_off_force(xp, a, h, E_star, dgamma):
+    v6 = -2.0 * a * xp.sqrt(6.283185307179586 * E_star * dgamma * a)
+    return v6 - 64.0 * E_star * h / 15.0 * a
+
+
+def work_of_adhesion_from_pull_off(xp, F, a, h, E_star):
+    v1 = pull_off_force(xp, a, h, E_star, 0.0)
+    v2 = F <= v1
+    v6 = xp.where(v2, 2.0 * v1, F)
+    return xp.where(v2, separation(xp, v1 - xp.where(v2, F, 0.5 * v1), a, E_star), xp.nan)

@@ -4,6 +4,7 @@ from ...._programs.expressions._runtime.physics.adhesion import growth
 from ...._programs.expressions._runtime.physics.adhesion import hess_retraction as retraction
 from ...._programs.expressions._runtime.physics.adhesion import lift
 from ...._programs.expressions._runtime.physics.adhesion import pull
+from ...._programs.expressions._runtime.physics.adhesion import separation
 from ...._programs.expressions._runtime.physics.adhesion import tension
 from ...._programs.expressions.normal.cone import depth as normal_depth
 from ...._programs.expressions.normal.cone import displacement as normal_displacement
@@ -75,3 +76,12 @@ def radius_from_force(xp, F, theta, E_star, dgamma):
     v39 = normal_radius_from_force(xp, xp.maximum(xp.where(v36, F, 1.0), 0.0), theta, E_star)
     v35 = v9 * (1.0 + xp.where(v25 == 0.0, 0.0, v31)) ** 0.6666666666666666
     return xp.where(v24, xp.nan, xp.where(xp.isfinite(v25), v35, xp.where(v36, v39, xp.nan)))
+
+
+def work_of_adhesion_from_pull_off(xp, F, theta, E_star):
+    v2 = F < 0.0
+    v4 = xp.where(v2, 1.0, F)
+    v5 = xp.where(v2, -F, xp.nan)
+    v6 = 3.0 * v5
+    v9 = separation(xp, v5 + v6, normal_radius_from_force(xp, v6, theta, E_star), E_star)
+    return xp.where(F == 0.0, 0.0, v9)

@@ -4,6 +4,7 @@ from ...._programs.expressions._runtime.physics.adhesion import growth
 from ...._programs.expressions._runtime.physics.adhesion import hess_retraction as retraction
 from ...._programs.expressions._runtime.physics.adhesion import lift
 from ...._programs.expressions._runtime.physics.adhesion import pull
+from ...._programs.expressions._runtime.physics.adhesion import separation
 from ...._programs.expressions._runtime.physics.adhesion import tension
 from ...._programs.expressions.normal.paraboloid import displacement as normal_displacement
 from ...._programs.expressions.normal.paraboloid import force as normal_force
@@ -74,3 +75,11 @@ def radius_from_force(xp, F, R, E_star, dgamma):
     v39 = normal_radius_from_force(xp, xp.maximum(xp.where(v36, F, 1.0), 0.0), R, E_star)
     v35 = v9 * (1.0 + v32) ** 0.6666666666666666
     return xp.where(v24, xp.nan, xp.where(xp.isfinite(v25), v35, xp.where(v36, v39, xp.nan)))
+
+
+def work_of_adhesion_from_pull_off(xp, F, R, E_star):
+    v2 = F < 0.0
+    v4 = xp.where(v2, 1.0, F)
+    v5 = xp.where(v2, -F, xp.nan)
+    v8 = separation(xp, v5 + v5, normal_radius_from_force(xp, v5, R, E_star), E_star)
+    return xp.where(F == 0.0, 0.0, v8)

@@ -4,6 +4,7 @@ from ...._programs.expressions._runtime.physics.adhesion import growth
 from ...._programs.expressions._runtime.physics.adhesion import hess_retraction as retraction
 from ...._programs.expressions._runtime.physics.adhesion import lift
 from ...._programs.expressions._runtime.physics.adhesion import pull
+from ...._programs.expressions._runtime.physics.adhesion import separation
 from ...._programs.expressions._runtime.physics.adhesion import tension
 from ...._programs.expressions._runtime.special import gamma_ratio
 from ...._programs.expressions.normal.power_law import depth as normal_depth
@@ -97,3 +98,12 @@ def radius_from_force(xp, F, A, n, E_star, dgamma):
     v71 = normal_radius_from_force(xp, xp.maximum(xp.where(v68, F, 1.0), 0.0), A, n, E_star)
     v67 = v35 * (1.0 + xp.where(v55 == 0.0, 0.0, v63)) ** 0.6666666666666666
     return xp.where(v54, xp.nan, xp.where(xp.isfinite(v55), v67, xp.where(v68, v71, xp.nan)))
+
+
+def work_of_adhesion_from_pull_off(xp, F, A, n, E_star):
+    v2 = F < 0.0
+    v4 = xp.where(v2, 1.0, F)
+    v5 = xp.where(v2, -F, xp.nan)
+    v9 = 3.0 * v5 / (2.0 * n - 1.0)
+    v12 = separation(xp, v5 + v9, normal_radius_from_force(xp, v9, A, n, E_star), E_star)
+    return xp.where(F == 0.0, 0.0, v12)

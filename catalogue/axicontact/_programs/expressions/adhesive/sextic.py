@@ -4,6 +4,7 @@ from ...._programs.expressions._runtime.physics.adhesion import growth
 from ...._programs.expressions._runtime.physics.adhesion import hess_retraction as retraction
 from ...._programs.expressions._runtime.physics.adhesion import lift
 from ...._programs.expressions._runtime.physics.adhesion import pull
+from ...._programs.expressions._runtime.physics.adhesion import separation
 from ...._programs.expressions._runtime.physics.adhesion import tension
 from ...._programs.expressions.normal.sextic import depth as normal_depth
 from ...._programs.expressions.normal.sextic import displacement as normal_displacement
@@ -87,3 +88,12 @@ def radius_from_force(xp, F, A, E_star, dgamma):
     v65 = normal_radius_from_force(xp, xp.maximum(xp.where(v62, F, 1.0), 0.0), A, E_star)
     v61 = v35 * (1.0 + xp.where(v51 == 0.0, 0.0, v57)) ** 0.6666666666666666
     return xp.where(v50, xp.nan, xp.where(xp.isfinite(v51), v61, xp.where(v62, v65, xp.nan)))
+
+
+def work_of_adhesion_from_pull_off(xp, F, A, E_star):
+    v2 = F < 0.0
+    v4 = xp.where(v2, 1.0, F)
+    v5 = xp.where(v2, -F, xp.nan)
+    v7 = 3.0 * v5 / 11.0
+    v10 = separation(xp, v5 + v7, normal_radius_from_force(xp, v7, A, E_star), E_star)
+    return xp.where(F == 0.0, 0.0, v10)

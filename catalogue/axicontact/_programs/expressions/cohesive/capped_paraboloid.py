@@ -42,49 +42,49 @@ def work_of_separation(xp, a, c, R1, R2, b, E_star, sigma_0):
     v40 = xp.where(v5, xp.minimum(v34, xp.arctan2(v7, v6)), v39)
     v41 = v4 - v40
     v45 = v40 + v42 * v41
-    v53 = v41 * xp.sum(v43 * (2.0 * (v2 * xp.cos(v45)) / R1 * v45 * xp.sin(v45)), axis=0)
-    v55 = xp.where(v5, a, 0.5 * b)
-    v56 = v55 < b
-    v57 = xp.where(v56, v55, 0.5 * b)
-    v58 = difference_root(xp, c, v57)
-    v59 = difference_root(xp, b, v57)
-    v63 = xp.maximum(v58 - v59, 0.0) * (v58 + v59)
-    v64 = v63 > 0.0
-    v68 = xp.where(v56, 2.0 * b, v55)
-    v71 = xp.hypot(difference_root(xp, v68, b), difference_root(xp, c, v68))
-    v72 = xp.where(v56, xp.where(v64, xp.sqrt(xp.where(v64, v63, 1.0)), 0.0), v71)
-    v75 = xp.where(v5, v72, difference_root(xp, c, xp.where(v5, 2.0 * b, a)))
-    v76 = v75 > 0.0
-    v77 = xp.where(v76, v75, 1.0)
-    v78 = v77 > 0.0
-    v80 = xp.where(v78, xp.where(v78, v77, 1.0), b)
-    v81 = difference_root(xp, a, b)
-    v83 = xp.where(v78, v77, 1.0)
-    v84 = xp.where(v5, a, 0.5 * b)
-    v85 = difference_root(xp, c, v84)
-    v86 = difference_root(xp, b, v84)
-    v90 = xp.maximum(v85 - v86, 0.0) * (v85 + v86)
-    v91 = v90 > 0.0
-    v95 = xp.where(v5, 2.0 * b, a)
-    v98 = xp.hypot(difference_root(xp, v95, b), difference_root(xp, c, v95))
-    v100 = xp.where(v78, xp.where(v5, xp.where(v91, xp.sqrt(xp.where(v91, v90, 1.0)), 0.0), v98), b)
-    v102 = xp.arcsinh(b / v100)
-    v104 = 1.5707963267948966 / v102
-    v106 = xp.arctan2(v81, v80) / v102
-    v117 = v104 * xp.sqrt(1.0 + v106 * v106) + v106 * xp.sqrt(1.0 + v104 * v104)
-    v119 = xp.arcsinh(xp.arctan2(v80, v81) / v102 * (v104 + v106) / v117)
-    v120 = v42 * v119
-    v123 = xp.arcsinh(v104)
-    v124 = 0.5 * v120
-    v129 = 2.0 * v102 * xp.cosh(v123 - v124) * xp.sinh(v124)
-    v131 = v100 * xp.cos(v129)
-    v134 = xp.sqrt(b * b + v131 * v131)
-    v142 = v100 * xp.sin(v129)
-    v140 = normal_slope_beyond(xp, v134, v131, R1, R2, b) * v131 * v102 * xp.cosh(v123 - v120)
-    v147 = v119 * xp.sum(v43 * (v140 * xp.arctan2(v142, v134) * (v142 / v134)), axis=0)
-    v150 = 0.6366197723675814 * v2 * v53 + xp.where(v76, 0.6366197723675814 * v147, 0.0)
-    v159 = sigma_0 * (v150 + 1.2732395447351628 * (sigma_0 / E_star) * v1 * (v4 - v1 / (v2 + a)))
-    return v159
+    v53 = 2.0 * xp.minimum(v2 * xp.cos(v45), b) / R1 * v45 * xp.sin(v45)
+    v56 = xp.where(v5, a, 0.5 * b)
+    v57 = v56 < b
+    v58 = xp.where(v57, v56, 0.5 * b)
+    v59 = difference_root(xp, c, v58)
+    v60 = difference_root(xp, b, v58)
+    v64 = xp.maximum(v59 - v60, 0.0) * (v59 + v60)
+    v65 = v64 > 0.0
+    v69 = xp.where(v57, 2.0 * b, v56)
+    v72 = xp.hypot(difference_root(xp, v69, b), difference_root(xp, c, v69))
+    v73 = xp.where(v57, xp.where(v65, xp.sqrt(xp.where(v65, v64, 1.0)), 0.0), v72)
+    v76 = xp.where(v5, v73, difference_root(xp, c, xp.where(v5, 2.0 * b, a)))
+    v77 = v76 > 0.0
+    v78 = xp.where(v77, v76, 1.0)
+    v79 = v78 > 0.0
+    v81 = xp.where(v79, xp.where(v79, v78, 1.0), b)
+    v82 = difference_root(xp, a, b)
+    v84 = xp.where(v79, v78, 1.0)
+    v85 = xp.where(v5, a, 0.5 * b)
+    v86 = difference_root(xp, c, v85)
+    v87 = difference_root(xp, b, v85)
+    v91 = xp.maximum(v86 - v87, 0.0) * (v86 + v87)
+    v92 = v91 > 0.0
+    v96 = xp.where(v5, 2.0 * b, a)
+    v99 = xp.hypot(difference_root(xp, v96, b), difference_root(xp, c, v96))
+    v101 = xp.where(v79, xp.where(v5, xp.where(v92, xp.sqrt(xp.where(v92, v91, 1.0)), 0.0), v99), b)
+    v103 = xp.arcsinh(b / v101)
+    v105 = 1.5707963267948966 / v103
+    v107 = xp.arctan2(v82, v81) / v103
+    v118 = v105 * xp.sqrt(1.0 + v107 * v107) + v107 * xp.sqrt(1.0 + v105 * v105)
+    v120 = xp.arcsinh(xp.arctan2(v81, v82) / v103 * (v105 + v107) / v118)
+    v121 = v42 * v120
+    v124 = xp.arcsinh(v105)
+    v125 = 0.5 * v121
+    v130 = 2.0 * v103 * xp.cosh(v124 - v125) * xp.sinh(v125)
+    v132 = v101 * xp.cos(v130)
+    v135 = xp.sqrt(b * b + v132 * v132)
+    v143 = v101 * xp.sin(v130)
+    v141 = normal_slope_beyond(xp, v135, v132, R1, R2, b) * v132 * v103 * xp.cosh(v124 - v121)
+    v148 = v120 * xp.sum(v43 * (v141 * xp.arctan2(v143, v135) * (v143 / v135)), axis=0)
+    v55 = 0.6366197723675814 * v2 * (v41 * xp.sum(v43 * v53, axis=0))
+    v158 = 1.2732395447351628 * (sigma_0 / E_star) * v1 * (v4 - v1 / (v2 + a))
+    return sigma_0 * (v55 + xp.where(v77, 0.6366197723675814 * v148, 0.0) + v158)
 
 
 def zone(xp, a, R1, R2, b, E_star, dgamma, sigma_0):
@@ -115,73 +115,73 @@ def zone(xp, a, R1, R2, b, E_star, dgamma, sigma_0):
         v48 = xp.where(v18, xp.minimum(v43, xp.arctan2(v14, v19)), v47)
         v49 = v17 - v48
         v53 = v48 + v50 * v49
-        v61 = v49 * xp.sum(v51 * (2.0 * (v15 * xp.cos(v53)) / R1 * v53 * xp.sin(v53)), axis=0)
-        v63 = xp.where(v18, a, 0.5 * b)
-        v64 = v63 < b
-        v66 = difference_root(xp, b, xp.where(v64, v63, 0.5 * b))
-        v70 = xp.maximum(v14 - v66, 0.0) * (v14 + v66)
-        v71 = v70 > 0.0
-        v77 = xp.hypot(difference_root(xp, xp.where(v64, 2.0 * b, v63), b), v14)
-        v79 = xp.where(v18, 2.0 * b, a)
-        v78 = xp.where(v64, xp.where(v71, xp.sqrt(xp.where(v71, v70, 1.0)), 0.0), v77)
-        v80 = xp.where(v18, v78, v14)
-        v81 = v80 > 0.0
-        v82 = xp.where(v81, v80, 1.0)
-        v83 = v82 > 0.0
-        v85 = xp.where(v83, xp.where(v83, v82, 1.0), b)
-        v86 = difference_root(xp, a, b)
-        v88 = xp.where(v83, v82, 1.0)
-        v90 = difference_root(xp, b, xp.where(v18, a, 0.5 * b))
-        v94 = xp.maximum(v14 - v90, 0.0) * (v14 + v90)
-        v95 = v94 > 0.0
-        v101 = xp.hypot(difference_root(xp, xp.where(v18, 2.0 * b, a), b), v14)
-        v102 = xp.where(v18, xp.where(v95, xp.sqrt(xp.where(v95, v94, 1.0)), 0.0), v101)
-        v103 = xp.where(v83, v102, b)
-        v105 = xp.arcsinh(b / v103)
-        v107 = 1.5707963267948966 / v105
-        v109 = xp.arctan2(v86, v85) / v105
-        v120 = v107 * xp.sqrt(1.0 + v109 * v109) + v109 * xp.sqrt(1.0 + v107 * v107)
-        v122 = xp.arcsinh(xp.arctan2(v85, v86) / v105 * (v107 + v109) / v120)
-        v123 = v50 * v122
-        v126 = xp.arcsinh(v107)
-        v127 = 0.5 * v123
-        v132 = 2.0 * v105 * xp.cosh(v126 - v127) * xp.sinh(v127)
-        v134 = v103 * xp.cos(v132)
-        v137 = xp.sqrt(b * b + v134 * v134)
-        v145 = v103 * xp.sin(v132)
-        v143 = normal_slope_beyond(xp, v137, v134, R1, R2, b) * v134 * v105 * xp.cosh(v126 - v123)
-        v150 = v122 * xp.sum(v51 * (v143 * xp.arctan2(v145, v137) * (v145 / v137)), axis=0)
-        v155 = 1.2732395447351628 * (sigma_0 / E_star)
-        v158 = v14 / (v15 + a)
-        v153 = 0.6366197723675814 * v15 * v61 + xp.where(v81, 0.6366197723675814 * v150, 0.0)
-        v161 = v153 + v155 * v14 * (v17 - v158)
-        v163 = v14 / v15
-        v167 = xp.cos(v48 + v50 * v49)
-        v174 = xp.where(v81, v80, 1.0)
-        v175 = v174 > 0.0
-        v177 = xp.where(v175, xp.where(v175, v174, 1.0), b)
-        v178 = difference_root(xp, a, b)
-        v180 = xp.where(v175, v174, 1.0)
-        v182 = difference_root(xp, b, xp.where(v18, a, 0.5 * b))
-        v186 = xp.maximum(v14 - v182, 0.0) * (v14 + v182)
-        v187 = v186 > 0.0
-        v193 = xp.hypot(difference_root(xp, xp.where(v18, 2.0 * b, a), b), v14)
-        v194 = xp.where(v18, xp.where(v187, xp.sqrt(xp.where(v187, v186, 1.0)), 0.0), v193)
-        v195 = xp.where(v175, v194, b)
-        v197 = xp.arcsinh(b / v195)
-        v199 = 1.5707963267948966 / v197
-        v201 = xp.arctan2(v178, v177) / v197
-        v212 = v199 * xp.sqrt(1.0 + v201 * v201) + v201 * xp.sqrt(1.0 + v199 * v199)
-        v214 = xp.arcsinh(xp.arctan2(v177, v178) / v197 * (v199 + v201) / v212)
-        v215 = v50 * v214
-        v218 = xp.arcsinh(v199)
-        v219 = 0.5 * v215
-        v226 = v195 * xp.cos(2.0 * v197 * xp.cosh(v218 - v219) * xp.sinh(v219))
-        v232 = normal_slope_beyond(xp, xp.sqrt(b * b + v226 * v226), v226, R1, R2, b) * v226 * v197
-        v238 = 0.6366197723675814 * (v214 * xp.sum(v51 * (v232 * xp.cosh(v218 - v215) / v15), axis=0))
-        v173 = 0.6366197723675814 * (v49 * xp.sum(v51 * (2.0 * (v15 * v167) / R1 * v167), axis=0))
-        v245 = v173 + xp.where(v81, v238, 0.0) + v155 * (v17 / v163 - v163 * v158)
-        return (v161, v14 / v161 * v163 * v245)
+        v61 = 2.0 * xp.minimum(v15 * xp.cos(v53), b) / R1 * v53 * xp.sin(v53)
+        v64 = xp.where(v18, a, 0.5 * b)
+        v65 = v64 < b
+        v67 = difference_root(xp, b, xp.where(v65, v64, 0.5 * b))
+        v71 = xp.maximum(v14 - v67, 0.0) * (v14 + v67)
+        v72 = v71 > 0.0
+        v78 = xp.hypot(difference_root(xp, xp.where(v65, 2.0 * b, v64), b), v14)
+        v80 = xp.where(v18, 2.0 * b, a)
+        v79 = xp.where(v65, xp.where(v72, xp.sqrt(xp.where(v72, v71, 1.0)), 0.0), v78)
+        v81 = xp.where(v18, v79, v14)
+        v82 = v81 > 0.0
+        v83 = xp.where(v82, v81, 1.0)
+        v84 = v83 > 0.0
+        v86 = xp.where(v84, xp.where(v84, v83, 1.0), b)
+        v87 = difference_root(xp, a, b)
+        v89 = xp.where(v84, v83, 1.0)
+        v91 = difference_root(xp, b, xp.where(v18, a, 0.5 * b))
+        v95 = xp.maximum(v14 - v91, 0.0) * (v14 + v91)
+        v96 = v95 > 0.0
+        v102 = xp.hypot(difference_root(xp, xp.where(v18, 2.0 * b, a), b), v14)
+        v103 = xp.where(v18, xp.where(v96, xp.sqrt(xp.where(v96, v95, 1.0)), 0.0), v102)
+        v104 = xp.where(v84, v103, b)
+        v106 = xp.arcsinh(b / v104)
+        v108 = 1.5707963267948966 / v106
+        v110 = xp.arctan2(v87, v86) / v106
+        v121 = v108 * xp.sqrt(1.0 + v110 * v110) + v110 * xp.sqrt(1.0 + v108 * v108)
+        v123 = xp.arcsinh(xp.arctan2(v86, v87) / v106 * (v108 + v110) / v121)
+        v124 = v50 * v123
+        v127 = xp.arcsinh(v108)
+        v128 = 0.5 * v124
+        v133 = 2.0 * v106 * xp.cosh(v127 - v128) * xp.sinh(v128)
+        v135 = v104 * xp.cos(v133)
+        v138 = xp.sqrt(b * b + v135 * v135)
+        v146 = v104 * xp.sin(v133)
+        v144 = normal_slope_beyond(xp, v138, v135, R1, R2, b) * v135 * v106 * xp.cosh(v127 - v124)
+        v151 = v123 * xp.sum(v51 * (v144 * xp.arctan2(v146, v138) * (v146 / v138)), axis=0)
+        v63 = 0.6366197723675814 * v15 * (v49 * xp.sum(v51 * v61, axis=0))
+        v156 = 1.2732395447351628 * (sigma_0 / E_star)
+        v159 = v14 / (v15 + a)
+        v162 = v63 + xp.where(v82, 0.6366197723675814 * v151, 0.0) + v156 * v14 * (v17 - v159)
+        v164 = v14 / v15
+        v168 = xp.cos(v48 + v50 * v49)
+        v174 = v49 * xp.sum(v51 * (2.0 * xp.minimum(v15 * v168, b) / R1 * v168), axis=0)
+        v176 = xp.where(v82, v81, 1.0)
+        v177 = v176 > 0.0
+        v179 = xp.where(v177, xp.where(v177, v176, 1.0), b)
+        v180 = difference_root(xp, a, b)
+        v182 = xp.where(v177, v176, 1.0)
+        v184 = difference_root(xp, b, xp.where(v18, a, 0.5 * b))
+        v188 = xp.maximum(v14 - v184, 0.0) * (v14 + v184)
+        v189 = v188 > 0.0
+        v195 = xp.hypot(difference_root(xp, xp.where(v18, 2.0 * b, a), b), v14)
+        v196 = xp.where(v18, xp.where(v189, xp.sqrt(xp.where(v189, v188, 1.0)), 0.0), v195)
+        v197 = xp.where(v177, v196, b)
+        v199 = xp.arcsinh(b / v197)
+        v201 = 1.5707963267948966 / v199
+        v203 = xp.arctan2(v180, v179) / v199
+        v214 = v201 * xp.sqrt(1.0 + v203 * v203) + v203 * xp.sqrt(1.0 + v201 * v201)
+        v216 = xp.arcsinh(xp.arctan2(v179, v180) / v199 * (v201 + v203) / v214)
+        v217 = v50 * v216
+        v220 = xp.arcsinh(v201)
+        v221 = 0.5 * v217
+        v228 = v197 * xp.cos(2.0 * v199 * xp.cosh(v220 - v221) * xp.sinh(v221))
+        v234 = normal_slope_beyond(xp, xp.sqrt(b * b + v228 * v228), v228, R1, R2, b) * v228 * v199
+        v240 = 0.6366197723675814 * (v216 * xp.sum(v51 * (v234 * xp.cosh(v220 - v217) / v15), axis=0))
+        v242 = 0.6366197723675814 * v174 + xp.where(v82, v240, 0.0)
+        return (v162, v14 / v162 * v164 * (v242 + v156 * (v17 / v164 - v164 * v159)))
     v13 = xp.minimum(v6 + xp.sqrt(v6 ** 2.0 + 2.0 * a * v4), xp.inf)
     return newton(xp, f13, v1, v13, xp.inf, 0.5, 4.0)
 

@@ -43,49 +43,49 @@ def work_of_separation(xp, a, c, theta, b, E_star, sigma_0):
     v40 = xp.where(v5, xp.minimum(v34, xp.arctan2(v7, v6)), v39)
     v41 = v4 - v40
     v45 = v40 + v42 * v41
-    v51 = normal_slope(xp, v2 * xp.cos(v45), theta, b) * v45 * xp.sin(v45)
-    v54 = xp.where(v5, a, 0.5 * b)
-    v55 = v54 < b
-    v56 = xp.where(v55, v54, 0.5 * b)
-    v57 = difference_root(xp, c, v56)
-    v58 = difference_root(xp, b, v56)
-    v62 = xp.maximum(v57 - v58, 0.0) * (v57 + v58)
-    v63 = v62 > 0.0
-    v67 = xp.where(v55, 2.0 * b, v54)
-    v70 = xp.hypot(difference_root(xp, v67, b), difference_root(xp, c, v67))
-    v71 = xp.where(v55, xp.where(v63, xp.sqrt(xp.where(v63, v62, 1.0)), 0.0), v70)
-    v74 = xp.where(v5, v71, difference_root(xp, c, xp.where(v5, 2.0 * b, a)))
-    v75 = v74 > 0.0
-    v76 = xp.where(v75, v74, 1.0)
-    v77 = v76 > 0.0
-    v79 = xp.where(v77, xp.where(v77, v76, 1.0), b)
-    v80 = difference_root(xp, a, b)
-    v82 = xp.where(v77, v76, 1.0)
-    v83 = xp.where(v5, a, 0.5 * b)
-    v84 = difference_root(xp, c, v83)
-    v85 = difference_root(xp, b, v83)
-    v89 = xp.maximum(v84 - v85, 0.0) * (v84 + v85)
-    v90 = v89 > 0.0
-    v94 = xp.where(v5, 2.0 * b, a)
-    v97 = xp.hypot(difference_root(xp, v94, b), difference_root(xp, c, v94))
-    v99 = xp.where(v77, xp.where(v5, xp.where(v90, xp.sqrt(xp.where(v90, v89, 1.0)), 0.0), v97), b)
-    v101 = xp.arcsinh(b / v99)
-    v103 = 1.5707963267948966 / v101
-    v105 = xp.arctan2(v80, v79) / v101
-    v116 = v103 * xp.sqrt(1.0 + v105 * v105) + v105 * xp.sqrt(1.0 + v103 * v103)
-    v118 = xp.arcsinh(xp.arctan2(v79, v80) / v101 * (v103 + v105) / v116)
-    v119 = v42 * v118
-    v122 = xp.arcsinh(v103)
-    v123 = 0.5 * v119
-    v128 = 2.0 * v101 * xp.cosh(v122 - v123) * xp.sinh(v123)
-    v130 = v99 * xp.cos(v128)
-    v133 = xp.sqrt(b * b + v130 * v130)
-    v141 = v99 * xp.sin(v128)
-    v139 = normal_slope_beyond(xp, v133, v130, theta, b) * v130 * v101 * xp.cosh(v122 - v119)
-    v146 = v118 * xp.sum(v43 * (v139 * xp.arctan2(v141, v133) * (v141 / v133)), axis=0)
-    v53 = 0.6366197723675814 * v2 * (v41 * xp.sum(v43 * v51, axis=0))
-    v156 = 1.2732395447351628 * (sigma_0 / E_star) * v1 * (v4 - v1 / (v2 + a))
-    return sigma_0 * (v53 + xp.where(v75, 0.6366197723675814 * v146, 0.0) + v156)
+    v52 = normal_slope(xp, xp.minimum(v2 * xp.cos(v45), b), theta, b) * v45 * xp.sin(v45)
+    v55 = xp.where(v5, a, 0.5 * b)
+    v56 = v55 < b
+    v57 = xp.where(v56, v55, 0.5 * b)
+    v58 = difference_root(xp, c, v57)
+    v59 = difference_root(xp, b, v57)
+    v63 = xp.maximum(v58 - v59, 0.0) * (v58 + v59)
+    v64 = v63 > 0.0
+    v68 = xp.where(v56, 2.0 * b, v55)
+    v71 = xp.hypot(difference_root(xp, v68, b), difference_root(xp, c, v68))
+    v72 = xp.where(v56, xp.where(v64, xp.sqrt(xp.where(v64, v63, 1.0)), 0.0), v71)
+    v75 = xp.where(v5, v72, difference_root(xp, c, xp.where(v5, 2.0 * b, a)))
+    v76 = v75 > 0.0
+    v77 = xp.where(v76, v75, 1.0)
+    v78 = v77 > 0.0
+    v80 = xp.where(v78, xp.where(v78, v77, 1.0), b)
+    v81 = difference_root(xp, a, b)
+    v83 = xp.where(v78, v77, 1.0)
+    v84 = xp.where(v5, a, 0.5 * b)
+    v85 = difference_root(xp, c, v84)
+    v86 = difference_root(xp, b, v84)
+    v90 = xp.maximum(v85 - v86, 0.0) * (v85 + v86)
+    v91 = v90 > 0.0
+    v95 = xp.where(v5, 2.0 * b, a)
+    v98 = xp.hypot(difference_root(xp, v95, b), difference_root(xp, c, v95))
+    v100 = xp.where(v78, xp.where(v5, xp.where(v91, xp.sqrt(xp.where(v91, v90, 1.0)), 0.0), v98), b)
+    v102 = xp.arcsinh(b / v100)
+    v104 = 1.5707963267948966 / v102
+    v106 = xp.arctan2(v81, v80) / v102
+    v117 = v104 * xp.sqrt(1.0 + v106 * v106) + v106 * xp.sqrt(1.0 + v104 * v104)
+    v119 = xp.arcsinh(xp.arctan2(v80, v81) / v102 * (v104 + v106) / v117)
+    v120 = v42 * v119
+    v123 = xp.arcsinh(v104)
+    v124 = 0.5 * v120
+    v129 = 2.0 * v102 * xp.cosh(v123 - v124) * xp.sinh(v124)
+    v131 = v100 * xp.cos(v129)
+    v134 = xp.sqrt(b * b + v131 * v131)
+    v142 = v100 * xp.sin(v129)
+    v140 = normal_slope_beyond(xp, v134, v131, theta, b) * v131 * v102 * xp.cosh(v123 - v120)
+    v147 = v119 * xp.sum(v43 * (v140 * xp.arctan2(v142, v134) * (v142 / v134)), axis=0)
+    v54 = 0.6366197723675814 * v2 * (v41 * xp.sum(v43 * v52, axis=0))
+    v157 = 1.2732395447351628 * (sigma_0 / E_star) * v1 * (v4 - v1 / (v2 + a))
+    return sigma_0 * (v54 + xp.where(v76, 0.6366197723675814 * v147, 0.0) + v157)
 
 
 def zone(xp, a, theta, b, E_star, dgamma, sigma_0):
@@ -116,73 +116,73 @@ def zone(xp, a, theta, b, E_star, dgamma, sigma_0):
         v48 = xp.where(v18, xp.minimum(v43, xp.arctan2(v14, v19)), v47)
         v49 = v17 - v48
         v53 = v48 + v50 * v49
-        v59 = normal_slope(xp, v15 * xp.cos(v53), theta, b) * v53 * xp.sin(v53)
-        v62 = xp.where(v18, a, 0.5 * b)
-        v63 = v62 < b
-        v65 = difference_root(xp, b, xp.where(v63, v62, 0.5 * b))
-        v69 = xp.maximum(v14 - v65, 0.0) * (v14 + v65)
-        v70 = v69 > 0.0
-        v76 = xp.hypot(difference_root(xp, xp.where(v63, 2.0 * b, v62), b), v14)
-        v78 = xp.where(v18, 2.0 * b, a)
-        v77 = xp.where(v63, xp.where(v70, xp.sqrt(xp.where(v70, v69, 1.0)), 0.0), v76)
-        v79 = xp.where(v18, v77, v14)
-        v80 = v79 > 0.0
-        v81 = xp.where(v80, v79, 1.0)
-        v82 = v81 > 0.0
-        v84 = xp.where(v82, xp.where(v82, v81, 1.0), b)
-        v85 = difference_root(xp, a, b)
-        v87 = xp.where(v82, v81, 1.0)
-        v89 = difference_root(xp, b, xp.where(v18, a, 0.5 * b))
-        v93 = xp.maximum(v14 - v89, 0.0) * (v14 + v89)
-        v94 = v93 > 0.0
-        v100 = xp.hypot(difference_root(xp, xp.where(v18, 2.0 * b, a), b), v14)
-        v101 = xp.where(v18, xp.where(v94, xp.sqrt(xp.where(v94, v93, 1.0)), 0.0), v100)
-        v102 = xp.where(v82, v101, b)
-        v104 = xp.arcsinh(b / v102)
-        v106 = 1.5707963267948966 / v104
-        v108 = xp.arctan2(v85, v84) / v104
-        v119 = v106 * xp.sqrt(1.0 + v108 * v108) + v108 * xp.sqrt(1.0 + v106 * v106)
-        v121 = xp.arcsinh(xp.arctan2(v84, v85) / v104 * (v106 + v108) / v119)
-        v122 = v50 * v121
-        v125 = xp.arcsinh(v106)
-        v126 = 0.5 * v122
-        v131 = 2.0 * v104 * xp.cosh(v125 - v126) * xp.sinh(v126)
-        v133 = v102 * xp.cos(v131)
-        v136 = xp.sqrt(b * b + v133 * v133)
-        v144 = v102 * xp.sin(v131)
-        v142 = normal_slope_beyond(xp, v136, v133, theta, b) * v133 * v104 * xp.cosh(v125 - v122)
-        v149 = v121 * xp.sum(v51 * (v142 * xp.arctan2(v144, v136) * (v144 / v136)), axis=0)
-        v61 = 0.6366197723675814 * v15 * (v49 * xp.sum(v51 * v59, axis=0))
-        v154 = 1.2732395447351628 * (sigma_0 / E_star)
-        v157 = v14 / (v15 + a)
-        v160 = v61 + xp.where(v80, 0.6366197723675814 * v149, 0.0) + v154 * v14 * (v17 - v157)
-        v162 = v14 / v15
-        v166 = xp.cos(v48 + v50 * v49)
-        v170 = v49 * xp.sum(v51 * (normal_slope(xp, v15 * v166, theta, b) * v166), axis=0)
-        v172 = xp.where(v80, v79, 1.0)
-        v173 = v172 > 0.0
-        v175 = xp.where(v173, xp.where(v173, v172, 1.0), b)
-        v176 = difference_root(xp, a, b)
-        v178 = xp.where(v173, v172, 1.0)
-        v180 = difference_root(xp, b, xp.where(v18, a, 0.5 * b))
-        v184 = xp.maximum(v14 - v180, 0.0) * (v14 + v180)
-        v185 = v184 > 0.0
-        v191 = xp.hypot(difference_root(xp, xp.where(v18, 2.0 * b, a), b), v14)
-        v192 = xp.where(v18, xp.where(v185, xp.sqrt(xp.where(v185, v184, 1.0)), 0.0), v191)
-        v193 = xp.where(v173, v192, b)
-        v195 = xp.arcsinh(b / v193)
-        v197 = 1.5707963267948966 / v195
-        v199 = xp.arctan2(v176, v175) / v195
-        v210 = v197 * xp.sqrt(1.0 + v199 * v199) + v199 * xp.sqrt(1.0 + v197 * v197)
-        v212 = xp.arcsinh(xp.arctan2(v175, v176) / v195 * (v197 + v199) / v210)
-        v213 = v50 * v212
-        v216 = xp.arcsinh(v197)
-        v217 = 0.5 * v213
-        v224 = v193 * xp.cos(2.0 * v195 * xp.cosh(v216 - v217) * xp.sinh(v217))
-        v230 = normal_slope_beyond(xp, xp.sqrt(b * b + v224 * v224), v224, theta, b) * v224 * v195
-        v236 = 0.6366197723675814 * (v212 * xp.sum(v51 * (v230 * xp.cosh(v216 - v213) / v15), axis=0))
-        v238 = 0.6366197723675814 * v170 + xp.where(v80, v236, 0.0)
-        return (v160, v14 / v160 * v162 * (v238 + v154 * (v17 / v162 - v162 * v157)))
+        v60 = normal_slope(xp, xp.minimum(v15 * xp.cos(v53), b), theta, b) * v53 * xp.sin(v53)
+        v63 = xp.where(v18, a, 0.5 * b)
+        v64 = v63 < b
+        v66 = difference_root(xp, b, xp.where(v64, v63, 0.5 * b))
+        v70 = xp.maximum(v14 - v66, 0.0) * (v14 + v66)
+        v71 = v70 > 0.0
+        v77 = xp.hypot(difference_root(xp, xp.where(v64, 2.0 * b, v63), b), v14)
+        v79 = xp.where(v18, 2.0 * b, a)
+        v78 = xp.where(v64, xp.where(v71, xp.sqrt(xp.where(v71, v70, 1.0)), 0.0), v77)
+        v80 = xp.where(v18, v78, v14)
+        v81 = v80 > 0.0
+        v82 = xp.where(v81, v80, 1.0)
+        v83 = v82 > 0.0
+        v85 = xp.where(v83, xp.where(v83, v82, 1.0), b)
+        v86 = difference_root(xp, a, b)
+        v88 = xp.where(v83, v82, 1.0)
+        v90 = difference_root(xp, b, xp.where(v18, a, 0.5 * b))
+        v94 = xp.maximum(v14 - v90, 0.0) * (v14 + v90)
+        v95 = v94 > 0.0
+        v101 = xp.hypot(difference_root(xp, xp.where(v18, 2.0 * b, a), b), v14)
+        v102 = xp.where(v18, xp.where(v95, xp.sqrt(xp.where(v95, v94, 1.0)), 0.0), v101)
+        v103 = xp.where(v83, v102, b)
+        v105 = xp.arcsinh(b / v103)
+        v107 = 1.5707963267948966 / v105
+        v109 = xp.arctan2(v86, v85) / v105
+        v120 = v107 * xp.sqrt(1.0 + v109 * v109) + v109 * xp.sqrt(1.0 + v107 * v107)
+        v122 = xp.arcsinh(xp.arctan2(v85, v86) / v105 * (v107 + v109) / v120)
+        v123 = v50 * v122
+        v126 = xp.arcsinh(v107)
+        v127 = 0.5 * v123
+        v132 = 2.0 * v105 * xp.cosh(v126 - v127) * xp.sinh(v127)
+        v134 = v103 * xp.cos(v132)
+        v137 = xp.sqrt(b * b + v134 * v134)
+        v145 = v103 * xp.sin(v132)
+        v143 = normal_slope_beyond(xp, v137, v134, theta, b) * v134 * v105 * xp.cosh(v126 - v123)
+        v150 = v122 * xp.sum(v51 * (v143 * xp.arctan2(v145, v137) * (v145 / v137)), axis=0)
+        v62 = 0.6366197723675814 * v15 * (v49 * xp.sum(v51 * v60, axis=0))
+        v155 = 1.2732395447351628 * (sigma_0 / E_star)
+        v158 = v14 / (v15 + a)
+        v161 = v62 + xp.where(v81, 0.6366197723675814 * v150, 0.0) + v155 * v14 * (v17 - v158)
+        v163 = v14 / v15
+        v167 = xp.cos(v48 + v50 * v49)
+        v172 = v49 * xp.sum(v51 * (normal_slope(xp, xp.minimum(v15 * v167, b), theta, b) * v167), axis=0)
+        v174 = xp.where(v81, v80, 1.0)
+        v175 = v174 > 0.0
+        v177 = xp.where(v175, xp.where(v175, v174, 1.0), b)
+        v178 = difference_root(xp, a, b)
+        v180 = xp.where(v175, v174, 1.0)
+        v182 = difference_root(xp, b, xp.where(v18, a, 0.5 * b))
+        v186 = xp.maximum(v14 - v182, 0.0) * (v14 + v182)
+        v187 = v186 > 0.0
+        v193 = xp.hypot(difference_root(xp, xp.where(v18, 2.0 * b, a), b), v14)
+        v194 = xp.where(v18, xp.where(v187, xp.sqrt(xp.where(v187, v186, 1.0)), 0.0), v193)
+        v195 = xp.where(v175, v194, b)
+        v197 = xp.arcsinh(b / v195)
+        v199 = 1.5707963267948966 / v197
+        v201 = xp.arctan2(v178, v177) / v197
+        v212 = v199 * xp.sqrt(1.0 + v201 * v201) + v201 * xp.sqrt(1.0 + v199 * v199)
+        v214 = xp.arcsinh(xp.arctan2(v177, v178) / v197 * (v199 + v201) / v212)
+        v215 = v50 * v214
+        v218 = xp.arcsinh(v199)
+        v219 = 0.5 * v215
+        v226 = v195 * xp.cos(2.0 * v197 * xp.cosh(v218 - v219) * xp.sinh(v219))
+        v232 = normal_slope_beyond(xp, xp.sqrt(b * b + v226 * v226), v226, theta, b) * v226 * v197
+        v238 = 0.6366197723675814 * (v214 * xp.sum(v51 * (v232 * xp.cosh(v218 - v215) / v15), axis=0))
+        v240 = 0.6366197723675814 * v172 + xp.where(v81, v238, 0.0)
+        return (v161, v14 / v161 * v163 * (v240 + v155 * (v17 / v163 - v163 * v158)))
     v13 = xp.minimum(v6 + xp.sqrt(v6 ** 2.0 + 2.0 * a * v4), xp.inf)
     return newton(xp, f13, v1, v13, xp.inf, 0.5, 4.0)
 

@@ -30,3 +30,16 @@ def pull_off_force(a, h, H, k, dgamma):
         except (ArithmeticError, ValueError):
             pass
     return None
+
+
+def work_of_adhesion_from_pull_off(F, a, h, H, k):
+    if F.__class__ is a.__class__ is h.__class__ is H.__class__ is k.__class__ is float and F > -1e+30 and (F < 1e+30) and (a > 1e-30) and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0):
+        try:
+            value = bodies._work_of_adhesion_from_pull_off(F, a, h, H, k)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if (value != value or value == 0.0) and ordinary(F, a, h, H, k):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None

@@ -95,3 +95,16 @@ def radius_from_force(F, H, k, dgamma, A):
         except (ArithmeticError, ValueError):
             pass
     return None
+
+
+def work_of_adhesion_from_pull_off(F, H, k, A):
+    if F.__class__ is H.__class__ is k.__class__ is float and F > -1e+30 and (F < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0) and all([x.__class__ is float and (x == 0.0 or 1e-30 < x < 1e+30) for x in A]):
+        try:
+            value = bodies._work_of_adhesion_from_pull_off(F, A, H, k)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if (value != value or value == 0.0) and ordinary(F, H, k):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None

@@ -82,3 +82,16 @@ def radius_from_force(F, theta, b, H, k, dgamma):
         except (ArithmeticError, ValueError):
             pass
     return None
+
+
+def work_of_adhesion_from_pull_off(F, theta, b, H, k):
+    if F.__class__ is theta.__class__ is b.__class__ is H.__class__ is k.__class__ is float and F > -1e+30 and (F < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0):
+        try:
+            value = bodies._work_of_adhesion_from_pull_off(F, theta, b, H, k)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if (value != value or value == 0.0) and ordinary(F, theta, b, H, k):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None

@@ -49,6 +49,18 @@ def graded_retraction(a, H, k, dgamma):
     return 0.0
 
 
+def separation(load, a, H, k):
+    v5 = 1.0 + k
+    return v5 / 12.566370614359172 * (load / (2.0 * H / v5 * (a * pow(a, k) if a > 0.0 else 0.0))) * (load / a / a)
+
+
+def held(a, rate, force, k):
+    v19 = 2.0 * a * rate * (2.0 / (1.0 + k) * (a * pow(a, k) if a > 0.0 else 0.0)) / (3.0 + k)
+    if v19 < inf:
+        return v19 - force
+    return inf
+
+
 def stationary(control, k):
     """The number xi of the condition of stationarity."""
     constant, slope = STATIONARY[control]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import atan2
+from math import atan2, inf
 
 from ....._programs.bodies._runtime.inverse import inverse
 from ....._runtime.plain import integral
@@ -23,6 +23,18 @@ def hess_retraction(a, E_star, dgamma):
 
 def pull(a, E_star, dgamma):
     return 2.0 * E_star * a * (sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star))
+
+
+def separation(load, a, E_star):
+    v3 = load / a
+    return v3 * v3 / (25.132741228718345 * E_star * a)
+
+
+def held(a, rate, force):
+    v6 = 1.3333333333333333 * a * a * rate
+    if v6 < inf:
+        return v6 - force
+    return inf
 
 
 def tension(r, a, E_star, dgamma):

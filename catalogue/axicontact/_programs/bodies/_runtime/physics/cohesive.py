@@ -101,7 +101,7 @@ def opening_tip(slope, q, a, b, nodes):
     start = np.arctan2(outer, b) if a < b else end
     start = np.minimum(start if c > b else 0.0, end)
     start = start if a < b else end
-    return _along(slope, c, start, end - start, nodes)
+    return _along(lambda t: slope(np.minimum(t, b)), c, start, end - start, nodes)
 
 
 def opening_beyond(slope, q, a, b):

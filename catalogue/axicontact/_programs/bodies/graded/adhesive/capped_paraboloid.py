@@ -4,10 +4,10 @@ from __future__ import annotations
 
 
 from ....._programs.bodies.graded.normal import capped_paraboloid as normal
-from ....._programs.bodies._runtime.graded.punch import graded_retraction, growth_of, least_steepness, pull_of, punch_displacement, punch_stiffness, tension
+from ....._programs.bodies._runtime.graded.punch import graded_retraction, growth_of, held, least_steepness, pull_of, punch_displacement, punch_stiffness, separation, tension
 from ....._programs.bodies._runtime.physics.branches import exponent_of, stress_at
 from ....._runtime.physics.single import branches, lowest
-from .....graded.adhesive.capped_paraboloid import _samples
+from .....graded.adhesive.capped_paraboloid import _held_samples, _samples
 from ....._runtime.plain import MATH as np
 
 
@@ -76,3 +76,17 @@ def _radius_from_force(F, R1, R2, b, H, k, dgamma):
     pulled = pull_of(H, k, dgamma, control='force')
     radius = stable_radius(F, found, lambda a: _force(a, R1, R2, b, H, k, dgamma), slope, pulled, radius_itself(), beyond_edge(b, 1.0 + k), corner=b)
     return np.ldexp(radius, unit)
+
+
+def _work_of_adhesion_from_pull_off(F, R1, R2, b, H, k):
+    unit = exponent_of(b)
+    stress, H = stress_at(unit, H, k)
+    R1 = np.ldexp(R1, -unit)
+    R2 = np.ldexp(R2, -unit)
+    b = np.ldexp(b, -unit)
+    F = np.ldexp(F, -(stress + 2 * unit))
+    pull = -F if F < 0.0 else np.nan
+    found = branches(lambda a: held(a, normal._rate(a, R1, R2, b, k), normal._force(a, R1, R2, b, 1.0, k), k), _held_samples(R1, R2, b, k), pull / H)
+    a = lowest(found, lambda a: separation(pull + normal._force(a, R1, R2, b, H, k), a, H, k))
+    work = separation(pull + normal._force(a, R1, R2, b, H, k), a, H, k)
+    return 0.0 if F == 0.0 else np.ldexp(work, stress + unit)

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 
 from ....._programs.bodies.graded.normal import ellipsoid as normal
-from ....._programs.bodies._runtime.graded.punch import graded_retraction, growth_of, least_steepness, pull_of, punch_displacement, punch_stiffness
+from ....._programs.bodies._runtime.graded.punch import graded_retraction, growth_of, held, least_steepness, pull_of, punch_displacement, punch_stiffness, separation
 from ....._programs.bodies._runtime.physics.branches import exponent_of, stress_at
 from ....._runtime.physics.single import branches, lowest
-from .....graded.adhesive.ellipsoid import _samples
+from .....graded.adhesive.ellipsoid import _held_samples, _samples
 from ....._runtime.plain import MATH as np
 
 
@@ -69,3 +69,16 @@ def _radius_from_force(F, h, b, H, k, dgamma):
     pulled = pull_of(H, k, dgamma, control='force')
     radius = stable_radius(F, found, lambda a: _force(a, h, b, H, k, dgamma), slope, pulled, up_to(b, k))
     return np.ldexp(radius, unit)
+
+
+def _work_of_adhesion_from_pull_off(F, h, b, H, k):
+    unit = exponent_of(b)
+    stress, H = stress_at(unit, H, k)
+    h = np.ldexp(h, -unit)
+    b = np.ldexp(b, -unit)
+    F = np.ldexp(F, -(stress + 2 * unit))
+    pull = -F if F < 0.0 else np.nan
+    found = branches(lambda a: held(a, normal._rate(a, h, b, k), normal._force(a, h, b, 1.0, k), k), _held_samples(h, b, k), pull / H)
+    a = lowest(found, lambda a: separation(pull + normal._force(a, h, b, H, k), a, H, k))
+    work = separation(pull + normal._force(a, h, b, H, k), a, H, k)
+    return 0.0 if F == 0.0 else np.ldexp(work, stress + unit)

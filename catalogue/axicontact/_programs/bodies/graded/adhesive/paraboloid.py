@@ -4,7 +4,7 @@ from __future__ import annotations
 
 
 from ....._programs.bodies.graded.normal import paraboloid as normal
-from ....._programs.bodies._runtime.graded.punch import graded_retraction, punch_displacement, punch_stiffness, stationary, tension, unloading_radius
+from ....._programs.bodies._runtime.graded.punch import graded_retraction, punch_displacement, punch_stiffness, separation, stationary, tension, unloading_radius
 from ....._programs.bodies._runtime.physics.adhesion import power_law_radius
 from ....._runtime.plain import MATH as np
 
@@ -53,3 +53,10 @@ def _radius_from_force(F, R, H, k, dgamma):
     least = _pull_off_force(a_c, R, H, k, dgamma, control='force')
     plain = normal._radius_from_force(np.maximum(F, 0.0), R, H, k)
     return power_law_radius(F, a_c, least, 2.0 + 1.0 + k, (3.0 + k) / 2.0, plain)
+
+
+def _work_of_adhesion_from_pull_off(F, R, H, k):
+    pull = -F if F < 0.0 else np.nan
+    lasting = pull
+    a = normal._radius_from_force(lasting, R, H, k)
+    return 0.0 if F == 0.0 else separation(pull + lasting, a, H, k)

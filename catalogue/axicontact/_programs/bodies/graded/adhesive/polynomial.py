@@ -4,9 +4,10 @@ from __future__ import annotations
 
 
 from ....._programs.bodies.graded.normal import polynomial as normal
-from ....._programs.bodies._runtime.graded.punch import graded_retraction, growth_of, least_steepness, pull_of, punch_displacement, punch_stiffness, tension
+from ....._programs.bodies._runtime.graded.punch import graded_retraction, growth_of, held, least_steepness, pull_of, punch_displacement, punch_stiffness, separation, tension
 from ....._runtime.physics.single import branches, lowest
-from .....graded.adhesive.polynomial import _samples
+from .....graded.adhesive.polynomial import _held_samples, _samples
+from ....._runtime.plain import MATH as np
 
 
 def _depth(a, A, H, k, dgamma):
@@ -51,3 +52,11 @@ def _radius_from_force(F, A, H, k, dgamma):
     slope = growth_of(normal._rate, (A, k), H, k, dgamma, control='force')
     pulled = pull_of(H, k, dgamma, control='force')
     return stable_radius(F, found, lambda a: _force(a, A, H, k, dgamma), slope, pulled, radius_itself())
+
+
+def _work_of_adhesion_from_pull_off(F, A, H, k):
+    pull = -F if F < 0.0 else np.nan
+    found = branches(lambda a: held(a, normal._rate(a, A, k), normal._force(a, A, 1.0, k), k), _held_samples(A, k), pull / H)
+    a = lowest(found, lambda a: separation(pull + normal._force(a, A, H, k), a, H, k))
+    work = separation(pull + normal._force(a, A, H, k), a, H, k)
+    return 0.0 if F == 0.0 else work

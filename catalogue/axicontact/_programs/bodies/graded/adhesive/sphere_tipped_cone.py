@@ -4,10 +4,10 @@ from __future__ import annotations
 
 
 from ....._programs.bodies.graded.normal import sphere_tipped_cone as normal
-from ....._programs.bodies._runtime.graded.punch import graded_retraction, growth_of, least_steepness, pull_of, punch_displacement, punch_stiffness
+from ....._programs.bodies._runtime.graded.punch import graded_retraction, growth_of, held, least_steepness, pull_of, punch_displacement, punch_stiffness, separation
 from ....._programs.bodies._runtime.physics.branches import exponent_of, stress_at
 from ....._runtime.physics.single import branches, lowest
-from .....graded.adhesive.sphere_tipped_cone import _samples
+from .....graded.adhesive.sphere_tipped_cone import _held_samples, _samples
 from ....._runtime.plain import MATH as np
 
 
@@ -66,3 +66,15 @@ def _radius_from_force(F, R, theta, H, k, dgamma):
     pulled = pull_of(H, k, dgamma, control='force')
     radius = stable_radius(F, found, lambda a: _force(a, R, theta, H, k, dgamma), slope, pulled, up_to(R, k), beyond_edge(R * np.sin(theta)), corner=R * np.sin(theta))
     return np.ldexp(radius, unit)
+
+
+def _work_of_adhesion_from_pull_off(F, R, theta, H, k):
+    unit = exponent_of(R * np.sin(theta))
+    stress, H = stress_at(unit, H, k)
+    R = np.ldexp(R, -unit)
+    F = np.ldexp(F, -(stress + 2 * unit))
+    pull = -F if F < 0.0 else np.nan
+    found = branches(lambda a: held(a, normal._rate(a, R, theta, k), normal._force(a, R, theta, 1.0, k), k), _held_samples(R, theta, k), pull / H)
+    a = lowest(found, lambda a: separation(pull + normal._force(a, R, theta, H, k), a, H, k))
+    work = separation(pull + normal._force(a, R, theta, H, k), a, H, k)
+    return 0.0 if F == 0.0 else np.ldexp(work, stress + unit)

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 
 from ....._programs.bodies.graded.normal import truncated_cone as normal
-from ....._programs.bodies._runtime.graded.punch import graded_retraction, growth_of, least_steepness, pull_of, punch_displacement, punch_stiffness
+from ....._programs.bodies._runtime.graded.punch import graded_retraction, growth_of, held, least_steepness, pull_of, punch_displacement, punch_stiffness, separation
 from ....._programs.bodies._runtime.physics.branches import exponent_of, stress_at
 from ....._runtime.physics.single import branches, lowest
-from .....graded.adhesive.truncated_cone import _samples
+from .....graded.adhesive.truncated_cone import _held_samples, _samples
 from ....._runtime.plain import MATH as np
 
 
@@ -66,3 +66,15 @@ def _radius_from_force(F, theta, b, H, k, dgamma):
     pulled = pull_of(H, k, dgamma, control='force')
     radius = stable_radius(F, found, lambda a: _force(a, theta, b, H, k, dgamma), slope, pulled, radius_itself(), beyond_edge(b, 1.0 + k))
     return np.ldexp(radius, unit)
+
+
+def _work_of_adhesion_from_pull_off(F, theta, b, H, k):
+    unit = exponent_of(b)
+    stress, H = stress_at(unit, H, k)
+    b = np.ldexp(b, -unit)
+    F = np.ldexp(F, -(stress + 2 * unit))
+    pull = -F if F < 0.0 else np.nan
+    found = branches(lambda a: held(a, normal._rate(a, theta, b, k), normal._force(a, theta, b, 1.0, k), k), _held_samples(theta, b, k), pull / H)
+    a = lowest(found, lambda a: separation(pull + normal._force(a, theta, b, H, k), a, H, k))
+    work = separation(pull + normal._force(a, theta, b, H, k), a, H, k)
+    return 0.0 if F == 0.0 else np.ldexp(work, stress + unit)

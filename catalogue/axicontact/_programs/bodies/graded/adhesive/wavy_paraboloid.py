@@ -4,10 +4,10 @@ from __future__ import annotations
 
 
 from ....._programs.bodies.graded.normal import wavy_paraboloid as normal
-from ....._programs.bodies._runtime.graded.punch import graded_retraction, growth_of, least_steepness, pull_of, punch_displacement, punch_stiffness
+from ....._programs.bodies._runtime.graded.punch import graded_retraction, growth_of, held, least_steepness, pull_of, punch_displacement, punch_stiffness, separation
 from ....._programs.bodies._runtime.physics.branches import exponent_of, stress_at
 from ....._runtime.physics.single import branches, lowest
-from .....graded.adhesive.wavy_paraboloid import _samples
+from .....graded.adhesive.wavy_paraboloid import _held_samples, _samples
 from ....._runtime.plain import MATH as np
 
 
@@ -24,7 +24,7 @@ def _displacement(r, a, R, h, wavelength, H, k, dgamma):
 
 
 def _branches(R, h, wavelength, H, k, dgamma, control):
-    return branches(lambda a: a ** ((1.0 + k) / 2.0) * normal._rate(a, R, h, wavelength, k), _samples(R, h, wavelength, k), least_steepness(control, H, k, dgamma))
+    return branches(lambda a: a ** ((1.0 + k) / 2.0) * normal._rate(a, R, h, wavelength, k), _samples(R, h, wavelength, H, k, dgamma), least_steepness(control, H, k, dgamma))
 
 
 def _pull_off_radius(R, h, wavelength, H, k, dgamma, control):
@@ -72,3 +72,17 @@ def _radius_from_force(F, R, h, wavelength, H, k, dgamma):
     pulled = pull_of(H, k, dgamma, control='force')
     radius = stable_radius(F, found, lambda a: _force(a, R, h, wavelength, H, k, dgamma), slope, pulled, radius_itself())
     return np.ldexp(radius, unit)
+
+
+def _work_of_adhesion_from_pull_off(F, R, h, wavelength, H, k):
+    unit = exponent_of(wavelength)
+    stress, H = stress_at(unit, H, k)
+    R = np.ldexp(R, -unit)
+    h = np.ldexp(h, -unit)
+    wavelength = np.ldexp(wavelength, -unit)
+    F = np.ldexp(F, -(stress + 2 * unit))
+    pull = -F if F < 0.0 else np.nan
+    found = branches(lambda a: held(a, normal._rate(a, R, h, wavelength, k), normal._force(a, R, h, wavelength, 1.0, k), k), _held_samples(R, h, wavelength, H, k, pull), pull / H)
+    a = lowest(found, lambda a: separation(pull + normal._force(a, R, h, wavelength, H, k), a, H, k))
+    work = separation(pull + normal._force(a, R, h, wavelength, H, k), a, H, k)
+    return 0.0 if F == 0.0 else np.ldexp(work, stress + unit)

@@ -31,6 +31,11 @@ def tension(xp, r, a, H, k, dgamma):
     return xp.where(v2, xp.where(v2, v1, 1.0) * punch_pressure(xp, r, a, H, k), 0.0)
 
 
+def separation(xp, load, a, H, k):
+    v8 = (1.0 + k) / 12.566370614359172 * (load / punch_stiffness(xp, a, H, k)) * (load / a / a)
+    return v8
+
+
 def punch_force(xp, d, a, H, k):
     v1 = punch_stiffness(xp, a, H, k)
     return xp.where((v1 > 0.0) & (v1 < xp.inf), v1 * d, 0.0)

@@ -29,6 +29,10 @@ def lift(xp, r, a, E_star, dgamma):
     return hess_retraction(xp, a, E_star, dgamma) * xp.where(v2, v6, 1.0)
 
 
+def separation(xp, load, a, E_star):
+    return (load / a) ** 2.0 / (25.132741228718345 * E_star * a)
+
+
 def growth(xp, e, m):
     v36, v37 = nodes_along(xp, 1, e, m)
     v1 = e * m

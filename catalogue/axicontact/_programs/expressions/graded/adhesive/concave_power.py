@@ -1,3 +1,18 @@
 """Formulas of axicontact.graded.adhesive.concave_power over an array library `xp`."""
 
+from ....._programs.expressions._runtime.graded.growth import power_factor
 from ....._programs.expressions._runtime.graded.punch import graded_retraction as retraction
+from ....._programs.expressions._runtime.graded.punch import punch_stiffness
+from ....._programs.expressions._runtime.graded.punch import separation
+
+
+def pull_off_force(xp, a, h, n, H, k, dgamma):
+    v10 = h * power_factor(xp, n, k) * n / (n + 1.0 + k) + retraction(xp, a, H, k, dgamma)
+    return -punch_stiffness(xp, a, H, k) * v10
+
+
+def work_of_adhesion_from_pull_off(xp, F, a, h, n, H, k):
+    v1 = pull_off_force(xp, a, h, n, H, k, 0.0)
+    v2 = F <= v1
+    v6 = xp.where(v2, 2.0 * v1, F)
+    return xp.where(v2, separation(xp, v1 - xp.where(v2, F, 0.5 * v1), a, H, k), xp.nan)

@@ -5,6 +5,7 @@ from ....._programs.expressions._runtime.graded.displacement import punch_share
 from ....._programs.expressions._runtime.graded.growth import power_rate
 from ....._programs.expressions._runtime.graded.punch import graded_retraction as retraction
 from ....._programs.expressions._runtime.graded.punch import punch_stiffness
+from ....._programs.expressions._runtime.graded.punch import separation
 from ....._programs.expressions._runtime.graded.punch import tension
 from ....._programs.expressions._runtime.physics.adhesion import growth
 from ....._programs.expressions.graded.normal.power_law import depth as graded_normal_depth
@@ -84,3 +85,12 @@ def radius_from_force(xp, F, A, n, H, k, dgamma):
     v57 = graded_normal_radius_from_force(xp, xp.maximum(xp.where(v54, F, 1.0), 0.0), A, n, H, k)
     v53 = v17 * (1.0 + xp.where(v39 == 0.0, 0.0, v48)) ** (1.0 / v45)
     return xp.where(v38, xp.nan, xp.where(xp.isfinite(v39), v53, xp.where(v54, v57, xp.nan)))
+
+
+def work_of_adhesion_from_pull_off(xp, F, A, n, H, k):
+    v2 = F < 0.0
+    v4 = xp.where(v2, 1.0, F)
+    v5 = xp.where(v2, -F, xp.nan)
+    v11 = v5 * (k + 3.0) / (k + 2.0 * n - 1.0)
+    v14 = separation(xp, v5 + v11, graded_normal_radius_from_force(xp, v11, A, n, H, k), H, k)
+    return xp.where(F == 0.0, 0.0, v14)

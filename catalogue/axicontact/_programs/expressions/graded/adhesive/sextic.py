@@ -5,6 +5,7 @@ from ....._programs.expressions._runtime.graded.displacement import punch_share
 from ....._programs.expressions._runtime.graded.growth import power_rate
 from ....._programs.expressions._runtime.graded.punch import graded_retraction as retraction
 from ....._programs.expressions._runtime.graded.punch import punch_stiffness
+from ....._programs.expressions._runtime.graded.punch import separation
 from ....._programs.expressions._runtime.graded.punch import tension
 from ....._programs.expressions._runtime.physics.adhesion import growth
 from ....._programs.expressions.graded.normal.sextic import depth as graded_normal_depth
@@ -86,3 +87,12 @@ def radius_from_force(xp, F, A, H, k, dgamma):
     v56 = graded_normal_radius_from_force(xp, xp.maximum(xp.where(v53, F, 1.0), 0.0), A, H, k)
     v52 = v17 * (1.0 + xp.where(v38 == 0.0, 0.0, v47)) ** (1.0 / v44)
     return xp.where(v37, xp.nan, xp.where(xp.isfinite(v38), v52, xp.where(v53, v56, xp.nan)))
+
+
+def work_of_adhesion_from_pull_off(xp, F, A, H, k):
+    v2 = F < 0.0
+    v4 = xp.where(v2, 1.0, F)
+    v5 = xp.where(v2, -F, xp.nan)
+    v9 = v5 * (k + 3.0) / (k + 11.0)
+    v12 = separation(xp, v5 + v9, graded_normal_radius_from_force(xp, v9, A, H, k), H, k)
+    return xp.where(F == 0.0, 0.0, v12)
