@@ -62,7 +62,7 @@ POWERS = ("cone", "paraboloid", "quartic", "sextic", "power_law")
 """Of which the moment of the depth is closed."""
 LAYERED = {
     "depth", "force", "pressure", "radius_from_depth", "radius_from_force", "force_from_depth", "depth_from_force",
-    "depth_first_order", "force_second_order",
+    "depth_first_order", "force_second_order", "adhesive_depth", "adhesive_force", "adhesive_pressure",
 }  # fmt: skip
 PLANE = {"profile", "load", "pressure", "slope", "depth", "half_width_from_load"}
 PLANE_COMPLETE = {"profile", "pressure", "slope", "depth"}

@@ -163,10 +163,14 @@ def test_what_an_expansion_leaves_out(name: str, known: dict[str, float], base: 
 
 
 def test_what_is_shown_says_what_its_letters_stand_for() -> None:
-    """Once, under the first formula that has them; an equation for the radius is none of its values."""
+    """Once, under the first formula that has them, and again with adhesion, where another spring is the last one.
+
+    An equation for the radius is none of its values.
+    """
     whole = shown(catalogue(), "layer.paraboloid", "text")
-    assert whole.count("q(t) = d - g(t) + Integral(K(t, s)*q(s), (s, 0, a))") == 1
-    assert whole.count("K(t, s) = 2*Integral((1 - L(u))*") == 1
+    assert whole.count("q(t) = d - g(t) + Integral(K(t, s)*q(s), (s, 0, a)), zero at t = a") == 1
+    assert whole.count("(s, 0, a)), -sqrt(2)*sqrt(pi)*sqrt(a)*sqrt(dgamma)/sqrt(E_star) at t = a") == 1
+    assert whole.count("K(t, s) = 2*Integral((1 - L(u))*") == 2
     assert "m_0 = Integral(1 - L(u), (u, 0, oo))" in whole
     assert "a from g(a) - Integral(K(a, t)*q(t), (t, 0, a)) = d" in whole
     assert "integral equation, solved in numbers" in shown(catalogue(), "paraboloid.lay.d", "text")

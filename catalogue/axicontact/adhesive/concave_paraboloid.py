@@ -173,4 +173,4 @@ def _pull_off_force(a: Array, h: Array, E_star: Array, dgamma: Array) -> Array:
 
 def _work_of_adhesion_from_pull_off(F: Array, a: Array, h: Array, E_star: Array) -> Array:
     least = _pull_off_force(a, h, E_star, 0.0)
-    return np.where(F <= least, separation(least - F, a, E_star), np.nan)
+    return np.where(least >= F, separation(least - F, a, E_star), np.nan)

@@ -187,4 +187,4 @@ def _pull_off_force(a: Array, h: Array, n: Array, E_star: Array, dgamma: Array) 
 
 def _work_of_adhesion_from_pull_off(F: Array, a: Array, h: Array, n: Array, E_star: Array) -> Array:
     least = _pull_off_force(a, h, n, E_star, 0.0)
-    return np.where(F <= least, separation(least - F, a, E_star), np.nan)
+    return np.where(least >= F, separation(least - F, a, E_star), np.nan)

@@ -72,7 +72,7 @@ def work_of_adhesion_from_pull_off(F, a, h, E_star):
     if F.__class__ is a.__class__ is h.__class__ is E_star.__class__ is float and F > -1e+30 and (F < 1e+30) and (a > 1e-30) and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
         try:
             v19 = -2.0 * a * sqrt(6.283185307179586 * E_star * 0.0 * a) - 8.0 * E_star * h / 3.0 * a
-            if F <= v19:
+            if v19 >= F:
                 v22 = (v19 - F) / a
                 value = v22 * v22 / (25.132741228718345 * E_star * a)
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
@@ -104,7 +104,7 @@ def block_work_of_adhesion_from_pull_off_all_signed(out, F, a, h, E_star, t0, t1
     np.divide(t0, C3, t0)
     np.multiply(t0, a, t0)
     np.subtract(t1, t0, t0)
-    np.less_equal(F, t0, m0)
+    np.greater_equal(t0, F, m0)
     some30 = np.count_nonzero(m0)
     if some30:
         np.subtract(t0, F, out)

@@ -210,7 +210,7 @@ def work_of_adhesion_from_pull_off(F, a, h, n, E_star):
             v14 = (v8 + 0.5) * (v8 + 1.5)
             v28 = 1.0 / (v10 * v10)
             v87 = -2.0 * a * sqrt(6.283185307179586 * E_star * 0.0 * a) - 3.5449077018110318 * E_star * n * h / (n + 1.0) * a * ((v8 * (v8 + 1.0) / v14 if v8 < 1.0 else 1.0 - (v8 + 0.75) / v14) * sqrt(v10) * (1.0 + v28 * (((((((0.01524698625788054 * v28 + 0.5334320651111477) * v28 + 2.250488865813539) * v28 + 2.8612106440066865) * v28 + 1.3794681629043655) * v28 + 0.2596058532893223) * v28 + 0.015624999999999823) / ((((((3.278794792785737 * v28 + 49.328555418276075) * v28 + 167.28648538571198) * v28 + 195.37226190335065) * v28 + 90.69722535867314) * v28 + 16.763212110504565) * v28 + 1.0))))
-            if F <= v87:
+            if v87 >= F:
                 v90 = (v87 - F) / a
                 value = v90 * v90 / (25.132741228718345 * E_star * a)
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
@@ -296,7 +296,7 @@ def block_work_of_adhesion_from_pull_off_all_signed(out, F, a, h, n, E_star, t0,
     np.multiply(t2, a, t2)
     np.multiply(t2, t0, t0)
     np.subtract(t1, t0, t0)
-    np.less_equal(F, t0, m0)
+    np.greater_equal(t0, F, m0)
     some97 = np.count_nonzero(m0)
     if some97:
         np.subtract(t0, F, out)

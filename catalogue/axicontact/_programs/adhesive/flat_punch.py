@@ -64,7 +64,7 @@ def work_of_adhesion_from_pull_off(F, a, E_star):
     if F.__class__ is a.__class__ is E_star.__class__ is float and F > -1e+30 and (F < 1e+30) and (a > 1e-30) and (a < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
         try:
             v11 = -2.0 * a * sqrt(6.283185307179586 * E_star * 0.0 * a)
-            if F <= v11:
+            if v11 >= F:
                 v14 = (v11 - F) / a
                 value = v14 * v14 / (25.132741228718345 * E_star * a)
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
@@ -91,7 +91,7 @@ def block_work_of_adhesion_from_pull_off_all_signed(out, F, a, E_star, t0, t1, m
     np.multiply(t1, a, t1)
     np.sqrt(t1, t1)
     np.multiply(t0, t1, t1)
-    np.less_equal(F, t1, m0)
+    np.greater_equal(t1, F, m0)
     some22 = np.count_nonzero(m0)
     if some22:
         np.subtract(t1, F, out)

@@ -190,4 +190,4 @@ def _pull_off_force(a: Array, h: Array, H: Array, k: Array, dgamma: Array) -> Ar
 
 def _work_of_adhesion_from_pull_off(F: Array, a: Array, h: Array, H: Array, k: Array) -> Array:
     least = _pull_off_force(a, h, H, k, 0.0)
-    return np.where(F <= least, separation(least - F, a, H, k), np.nan)
+    return np.where(least >= F, separation(least - F, a, H, k), np.nan)

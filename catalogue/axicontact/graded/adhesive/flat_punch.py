@@ -179,4 +179,4 @@ def _pull_off_force(a: Array, H: Array, k: Array, dgamma: Array) -> Array:
 
 def _work_of_adhesion_from_pull_off(F: Array, a: Array, H: Array, k: Array) -> Array:
     least = _pull_off_force(a, H, k, 0.0)
-    return np.where(F <= least, separation(least - F, a, H, k), np.nan)
+    return np.where(least >= F, separation(least - F, a, H, k), np.nan)

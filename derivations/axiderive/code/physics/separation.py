@@ -74,7 +74,7 @@ def rules(writer: Writer) -> None:
         given = ", ".join([*names, "0.0"])
         lines = [
             f"least = _pull_off_force({given})",
-            f"return np.where(F <= least, {_separation(writer, 'least - F')}, np.nan)",
+            f"return np.where(least >= F, {_separation(writer, 'least - F')}, np.nan)",
         ]
     else:
         order = adhesive.order_of(writer.plain[FIELD])

@@ -10,6 +10,6 @@ def pull_off_force(xp, a, E_star, dgamma):
 
 def work_of_adhesion_from_pull_off(xp, F, a, E_star):
     v1 = pull_off_force(xp, a, E_star, 0.0)
-    v2 = F <= v1
-    v6 = xp.where(v2, 2.0 * v1, F)
-    return xp.where(v2, separation(xp, v1 - xp.where(v2, F, 0.5 * v1), a, E_star), xp.nan)
+    v2 = v1 >= F
+    v6 = xp.where(v2, 0.5 * F, v1)
+    return xp.where(v2, separation(xp, xp.where(v2, v1, 2.0 * F) - F, a, E_star), xp.nan)

@@ -105,7 +105,7 @@ def work_of_adhesion_from_pull_off(F, a, H, k):
             v10 = a > 0.0
             v14 = 2.0 * H / v7 * (a * pow(a, k) if v10 else 0.0)
             v25 = -v14 * (sqrt(0.0 / H) * sqrt(a) * sqrt(pow(a, -k)) if v10 else 0.0)
-            if F <= v25:
+            if v25 >= F:
                 v27 = v25 - F
                 value = v7 / 12.566370614359172 * (v27 / v14) * (v27 / a / a)
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
@@ -151,7 +151,7 @@ def block_work_of_adhesion_from_pull_off_all_signed(out, F, a, H, k, t0, t1, t2,
     if some24 != size:
         np.copyto(t3, C0, where=~m0)
     np.multiply(t0, t3, t3)
-    np.less_equal(F, t3, m0)
+    np.greater_equal(t3, F, m0)
     some36 = np.count_nonzero(m0)
     if some36:
         np.subtract(t3, F, out)

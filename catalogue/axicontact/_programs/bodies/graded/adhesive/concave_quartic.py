@@ -18,4 +18,4 @@ def _pull_off_force(a, h, H, k, dgamma):
 
 def _work_of_adhesion_from_pull_off(F, a, h, H, k):
     least = _pull_off_force(a, h, H, k, 0.0)
-    return separation(least - F, a, H, k) if F <= least else np.nan
+    return separation(least - F, a, H, k) if least >= F else np.nan
