@@ -337,6 +337,9 @@ def test_what_has_no_program_is_refused(package: Package) -> None:
         script.add("adhesive.cone", "pulled_off")
     with pytest.raises(NoProgramError, match="no counterpart"):
         script.add("adhesive.gaussian", "radius_from_depth")
+    # whose check calls what its own module has
+    with pytest.raises(NoProgramError, match="no counterpart"):
+        script.add("graded.adhesive.wavy_paraboloid", "depth")
     assert script.text() == before
 
 

@@ -56,7 +56,8 @@ class Public(ast.NodeTransformer):
             case "require":
                 return [self._inside(str(one.arg), self.visit(one.value)) for one in call.keywords]
             case "require_order":
-                return [self.visit(call.args[0])]
+                # its names are those of the module that checks
+                return [Public(module, self.resolved, self.functions, self.domains).visit(call.args[0])]
             case "require_reach":
                 return [ast.Compare(call.args[0], [ast.GtE()], [call.args[1]])]
             case "require_hold":
