@@ -99,7 +99,7 @@ def search(
     level: str,
     name: str = "_samples",
 ) -> tuple[list[str], list[str], list[str]]:
-    """The arguments and the lines of `_samples`, which depend on the geometry alone, and the lines of `_branches`."""
+    """Arguments and lines of the samples, which but for waves depend on the geometry alone; lines of `_branches`."""
     own = [one for one in needs if one in geometry or re.search(rf"\b{one}\b", grid)]
     end = "a[-1]" if profile.largest is not None or (profile.chain and not profile.breaks) else "np.inf"
     found = f"return branches(lambda a: {steepness}, {name}({', '.join(own)}), {level})"
