@@ -57,9 +57,13 @@ class Element:
     def __init__(self, field: Field, num: Any, den: Any = ONE) -> None:
         num, den = field.reduced(num), field.reduced(den)
         require(den != 0, "a division by zero")
-        common = num.gcd(den)
-        lead = (den / common).leading_coefficient()
-        self.field, self.num, self.den = field, num / common / lead, den / common / lead
+        if not den.is_constant():
+            common = num.gcd(den)
+            num, den = num / common, den / common
+        if den != ONE:
+            lead = den.leading_coefficient()
+            num, den = num / lead, den / lead
+        self.field, self.num, self.den = field, num, den
 
     def _other(self, other: Any) -> Element:
         return other if isinstance(other, Element) else self.field.number(other)
@@ -75,7 +79,10 @@ class Element:
         return Element(self.field, self.num * other.num, self.den * other.den)
 
     def __sub__(self, other: Any) -> Element:
-        return self + self._other(other) * -1
+        other = self._other(other)
+        if self.den == other.den:
+            return Element(self.field, self.num - other.num, self.den)
+        return Element(self.field, self.num * other.den - other.num * self.den, self.den * other.den)
 
     def __truediv__(self, other: Any) -> Element:
         other = self._other(other)
@@ -111,6 +118,7 @@ class Field:
         self.safe: set[int] = set()
         self.signs: dict[str, int | None] = {}
         self.slopes: dict[tuple[int, str], Element] = {}
+        self.elements: dict[Tree, Element] = {}
 
     def number(self, value: Any) -> Element:
         """The element of an integer, a `Fraction` or the text of one."""
@@ -148,8 +156,14 @@ class Field:
         return self.generator(name, ("symbol", name), positive=name not in ANY_SIGN, safe=True)
 
     def read(self, formula: Tree, values: Mapping[str, Element] | None = None) -> Element:
-        """The element of a tree, with elements for some of its symbols."""
-        values = values or {}
+        """The element of a tree, with elements for some of its symbols; one without them is read once."""
+        if values or not isinstance(formula, tuple):
+            return self._read(formula, values or {})
+        if formula not in self.elements:
+            self.elements[formula] = self._read(formula, {})
+        return self.elements[formula]
+
+    def _read(self, formula: Tree, values: Mapping[str, Element]) -> Element:
         match formula:
             case str():
                 return values[formula] if formula in values else self.symbol(formula)
