@@ -13,6 +13,7 @@ from types import ModuleType
 import pytest
 from chromium import Chromium
 from hypothesis import HealthCheck, settings
+from hypothesis.internal.conjecture import providers
 
 # SymPy keeps all its results, as in a build; it asks for this when it is imported
 os.environ.setdefault("SYMPY_CACHE_SIZE", "None")
@@ -37,6 +38,10 @@ PATIENT = settings(deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.register_profile("repeatable", PATIENT, derandomize=True)
 settings.register_profile("explore", PATIENT)
 settings.load_profile("repeatable")
+
+# it draws from the numbers in all sources that are imported: to read them took 16 s, and what was drawn depended
+# on the tests that a worker had run before
+providers._get_local_constants = lambda: providers._local_constants
 
 # an expression makes thousands of objects and few circles: to look for them at every 700 took 5 % of a run
 gc.set_threshold(100_000, 20, 20)
