@@ -21,7 +21,9 @@ from axiderive.checks import quadrature
 from axiderive.checks.comparison import Comparison
 from axiderive.code.docstring import formula
 from axiderive.entry import Case, Entry
+from axiderive.expression import own_profile
 from axiderive.notation import E_star, R, a, b, r, r_peak
+from axiderive.physics import peak
 from axiderive.physics.normal import derive
 from axiderive.profiles import COMPACT_NAMES, load
 from axiderive.proof.algebra.domain import NotProvedError
@@ -222,6 +224,20 @@ def test_there_is_none_where_there_is_no_contact() -> None:
     for own in found:
         assert np.isnan(own).tolist() == [False, False, True, True]
     assert (found.pressure[0], found.radius[0]) == (0.0, 0.0)
+
+
+@pytest.mark.parametrize(
+    ("text", "on_axis"),
+    [
+        *((text, True) for text in ("q*r**2", "r**(3/2)", "sqrt(r**2 + q**2) - q", "1 - exp(-r**2/q**2)")),
+        *((text, False) for text in ("q*r", "r**2 + r**4", "q*r**2 - c*r**4", "q*r**2 + c*Max(0, r - b)")),
+    ],
+)
+def test_curvatures_that_fall(text: str, on_axis: bool) -> None:
+    """Of faces that someone types; the third of the others falls beyond some radius, and the last has an edge."""
+    own = own_profile(text)
+    with nt.extended(own.notation):
+        assert peak.has_falling_curvature(own.profile) == on_axis
 
 
 @pytest.mark.parametrize("name", ["cone", "capped_paraboloid", "rounded_curved_punch", "sphere", "truncated_cone"])

@@ -72,20 +72,20 @@ def derive(profile: Profile, depth: tuple[Case, ...], pressure: tuple[Case, ...]
 
 
 def has_falling_curvature(profile: Profile) -> bool:
-    """Whether f'(r)/r is shown to fall, or to stay, without a jump, and f'(r) to be zero on the axis."""
+    """Whether f'(r) is zero on the axis and shown to be positive and without a jump, and f'(r)/r to fall or to stay."""
     positive = {tangent: sp.Dummy(positive=True) for piece in profile.pieces for tangent in piece.expr.atoms(sp.tan)}
     slopes = [sp.expand(sp.diff(piece.expr, r).subs(positive)) for piece in profile.pieces]
     joints = zip(slopes, slopes[1:], profile.breaks, strict=False)
     smooth = all(sp.cancel((inner - outer).subs(r, b)) == 0 for inner, outer, b in joints)
-    falls = all(sp.diff(sp.expand(slope / r), r).is_nonpositive for slope in slopes)
+    falls = all(slope.is_positive and sp.diff(sp.expand(slope / r), r).is_nonpositive for slope in slopes)
     return smooth and falls and slopes[0].subs(r, 0) == 0
 
 
 def _on_axis(depth: tuple[Case, ...], pressure: tuple[Case, ...]) -> Found | None:
     inner = [next(one for one in pressure if one.chain == (r, *regime.chain)) for regime in depth]
     middle = tuple(Case(regime.chain, one.expr.subs(r, 0)) for regime, one in zip(depth, inner, strict=True))
-    if not all(one.expr.is_positive is not False and one.expr.is_finite is not False for one in middle):
-        return None
+    if any(one.expr == 0 or one.expr.has(sp.nan, sp.zoo, sp.oo) for one in middle):
+        return None  # not continuous at r = 0 as it is written
     return "closed", tuple(Case(regime.chain, sp.S.Zero) for regime in depth), middle
 
 
