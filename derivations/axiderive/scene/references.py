@@ -407,7 +407,7 @@ def detached(contact: Contact, control: str, radius: float) -> State | None:
         return None
     with mp.workdps(DIGITS + GUARD):
         if contact.request.kind.physics.solved:
-            return _parted(contact, {"force": "F", "depth": "d"}[control], radius)
+            return _parted(contact, control, radius)
         here, wanted = contact.half_space(), mp.mpf(contact.all["dgamma"])
         if not contact.compact:
             a = mp.mpf(contact.all["a"])
@@ -430,7 +430,7 @@ def detached(contact: Contact, control: str, radius: float) -> State | None:
         return float(place), float(here.adhesive("F", radius * scale)), _depth(here, radius * scale)
 
 
-def _parted(contact: Contact, held: str, radius: float) -> State | None:
+def _parted(contact: Contact, control: str, radius: float) -> State | None:
     """Where a load is least by the proved formulas, at a break or stationary, and the loads there by the definitions.
 
     None within a flat face, where the zone begins to reach beyond it: no formula is stated of such a contact.
@@ -442,22 +442,26 @@ def _parted(contact: Contact, held: str, radius: float) -> State | None:
     corner = bool(breaks) and abs(radius / breaks[-1] - 1) < NEAR
     start = breaks[-1] if breaks and not corner else mp.mpf(0)
 
+    kind = contact.request.kind
+    suffixes = {name: own.quantity.suffix for name, own in interface.functions(kind).items()}
+
     def place(share: Any) -> Any:
         return start + (radius - start) * share
 
     def rate(share: Any) -> Any:
-        more, less = (_Radius(contact, place(share + step)).loaded(held) for step in (STEP, -STEP))
+        more, less = (_Radius(contact, place(share + step)).loaded(suffixes[control]) for step in (STEP, -STEP))
         return (more - less) / STEP
 
     share = mp.mpf(1)
     if not corner:
         share = mp.findroot(rate, (share, share + STEP), solver="secant", tol=1e-10, verify=False)
-    kind, own = contact.request.kind, _Radius(contact, place(share))
+    own = _Radius(contact, place(share))
     if not rate(share + 2 * STEP) > 0 or kind.physics.definitions is None:
         return (float("nan"),) * 3
     stated = kind.physics.definitions(contact.profile, kind.system.medium)
     here = own.at(own.length(stated))
-    return float(own.a), float(here.defined(stated["F"])), float(here.defined(stated["d"]))
+    force, depth = (float(here.defined(stated[suffixes[load]])) for load in ("force", "depth"))
+    return float(own.a), force, depth
 
 
 def _depth(here: HalfSpace, a: Any) -> float:
