@@ -12,15 +12,18 @@ import mpmath as mp
 import numpy as np
 import pytest
 import sympy as sp
+from false_entries import record
 from scenes import composed_from, problems, run_plainly
 
-from axicontact.normal import paraboloid, power_law, quartic, rounded_punch, sextic
+from axicontact.normal import hyperboloid, paraboloid, power_law, quartic, rounded_cone, rounded_punch, sextic
 from axiderive import notation as nt
 from axiderive.checks import quadrature
 from axiderive.checks.comparison import Comparison
 from axiderive.code.docstring import formula
-from axiderive.entry import Entry
+from axiderive.entry import Case, Entry
+from axiderive.expression import own_profile
 from axiderive.notation import E_star, R, a, b, r, r_peak
+from axiderive.physics import peak
 from axiderive.physics.normal import derive
 from axiderive.profiles import COMPACT_NAMES, load
 from axiderive.proof.algebra.domain import NotProvedError
@@ -29,6 +32,7 @@ from axiderive.proof.rules import rings
 from axiderive.proof.rules.compact import Compact
 from axiderive.stable.measure import ulps
 from axiderive.stable.reference import of_contact
+from axiderive.verifier.problem import Problem
 
 EPS = 2.0**-52
 FLAT = {"R": 1.0, "E_star": 1.0}
@@ -182,14 +186,74 @@ def test_arrays_broadcast_and_what_is_no_contact_is_no_number() -> None:
         rounded_punch.peak_pressure("2 mm", b=1.0, **FLAT)
 
 
-def test_it_is_derived_where_one_ring_alone_has_it() -> None:
-    assert {name for name in COMPACT_NAMES if "rp" in derive(load(name))} == {
-        *("quartic", "sextic", "power_law", "rounded_punch")
-    }
+def test_it_is_derived_on_the_axis_or_where_one_ring_alone_has_it() -> None:
+    found = {name: derive(load(name)) for name in COMPACT_NAMES}
+    known = {name: all(case.expr == 0 for case in own["rp"].cases) for name, own in found.items() if "rp" in own}
+    assert {name for name in known if known[name]} == {"paraboloid", "rounded_cone", "hyperboloid"}
+    assert known.keys() - {*ON_AXIS} == {"quartic", "sextic", "power_law", "rounded_punch"}
+
+
+ON_AXIS: dict[str, tuple[Any, dict[str, float], Callable[[Any], Any], list[float]]] = {
+    "paraboloid": (paraboloid, {"R": 1.3}, lambda r: r / 1.3, []),
+    "rounded_cone": (rounded_cone, {"theta": 0.4, "b": 0.5}, lambda r: mp.tan(0.4) * min(r / 0.5, 1), [0.5]),
+    "hyperboloid": (hyperboloid, {"theta": 0.4, "b": 0.5}, lambda r: mp.tan(0.4) * r / mp.hypot(r, 0.5), []),
+}
+"""Modules, parameters, f' and where it bends."""
+
+
+def middle(slope: Callable[[Any], Any], radius: float, bends: list[float]) -> Any:
+    """pi p(0)/E* = g(a)/a + int_0^a g(t)/t^2 dt with g by (11.29), its integrals exchanged, r = a sin(u)."""
+    breaks = [mp.asin(b / radius) for b in bends if b < radius]
+    return mp.quad(lambda u: slope(radius * mp.sin(u)) * (1 + (mp.pi / 2 - u) * mp.cot(u)), [0, *breaks, mp.pi / 2])
+
+
+@pytest.mark.parametrize("name", ON_AXIS)
+@pytest.mark.parametrize("radius", [0.3, 1.4])
+def test_the_pressure_of_the_axis(name: str, radius: float) -> None:
+    module, given, slope, bends = ON_AXIS[name]
+    found = module.peak_pressure(radius, E_star=2.5, **given)
+    with mp.workdps(20):
+        assert abs(found.pressure * mp.pi / 2.5 / middle(slope, radius, bends) - 1) < 1e-14
+    assert found.radius == 0.0
+    places = np.linspace(0.0, radius, 999)
+    assert module.pressure(places, radius, E_star=2.5, **given).max() <= found.pressure * (1 + 8 * EPS)
+
+
+def test_there_is_none_where_there_is_no_contact() -> None:
+    found = hyperboloid.peak_pressure(np.array([0.0, 1.0, -1.0, np.nan]), theta=0.4, b=1.0, E_star=2.5)
+    for own in found:
+        assert np.isnan(own).tolist() == [False, False, True, True]
+    assert (found.pressure[0], found.radius[0]) == (0.0, 0.0)
+
+
+@pytest.mark.parametrize(
+    ("text", "on_axis"),
+    [
+        *((text, True) for text in ("q*r**2", "r**(3/2)", "sqrt(r**2 + q**2) - q", "1 - exp(-r**2/q**2)")),
+        *((text, False) for text in ("q*r", "r**2 + r**4", "q*r**2 - c*r**4", "q*r**2 + c*Max(0, r - b)")),
+    ],
+)
+def test_curvatures_that_fall(text: str, on_axis: bool) -> None:
+    """Of faces that someone types; the third of the others falls beyond some radius, and the last has an edge."""
+    own = own_profile(text)
+    with nt.extended(own.notation):
+        assert peak.has_falling_curvature(own.profile) == on_axis
+
+
+@pytest.mark.parametrize("name", ["cone", "capped_paraboloid", "rounded_curved_punch", "sphere", "truncated_cone"])
+def test_the_axis_of_another_profile_is_refused(name: str) -> None:
+    """Where f' does not begin at zero, f'(r)/r rises, steadily or by a jump, or nothing touches the axis first."""
+    entries, ring = derive(load(name)), derive(load("paraboloid"))["rp"]
+    cases = tuple(Case(regime.chain, sp.S.Zero) for regime in entries["d"].cases)
+    wrong = replace(ring, key=f"{name}.rp", profile=load(name), cases=cases, parameters=entries["F"].parameters)
+    certificate = certify(load(name), {**entries, "rp": wrong}, "rp")
+    assert not certificate.proved
+    assert re.search(r"f'\(r\) has no jump|f'\(r\) > 0|\(f'\(r\)/r\)' <= 0", certificate.reason)
+    assert Problem(record(name, {**entries, "rp": wrong})).prove("rp")
 
 
 def test_the_certificates_and_the_search_hold() -> None:
-    for name in ("quartic", "power_law", "rounded_punch"):
+    for name in ("hyperboloid", "rounded_cone", "quartic", "power_law", "rounded_punch"):
         profile, entries = load(name), derive(load(name))
         assert all(certify(profile, entries, suffix).proved for suffix in ("rp", "pp"))
     assert quadrature.check(Comparison(profile, entries, digits=20, points=2), "pp").passed
@@ -211,6 +275,9 @@ def other_side(change: Callable[[sp.Expr], sp.Expr]) -> Callable[[sp.Expr], sp.E
         ("quartic", "rp", lambda radius: sp.S.Zero),
         ("quartic", "pp", lambda pressure: pressure * sp.sqrt(2) * sp.Rational(17, 24)),
         ("sextic", "rp", lambda radius: sp.sqrt(sp.sqrt(3) - 1) * a / 2),
+        ("hyperboloid", "rp", lambda radius: a / 3),
+        ("rounded_cone", "pp", lambda pressure: pressure.subs(sp.asin, sp.atan)),
+        ("rounded_cone", "pp", lambda pressure: 2 * pressure),
         ("rounded_punch", "rp", other_side(lambda left: -left)),
         ("rounded_punch", "rp", other_side(lambda left: left.subs(sp.acos(b / a), sp.asin(b / a)))),
         ("rounded_punch", "rp", other_side(lambda left: left + (a - r_peak) / R)),

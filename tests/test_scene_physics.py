@@ -154,6 +154,50 @@ def test_a_scene_with_a_cohesive_zone(profile, tmp_path):
     assert "Cohesive zone" in titles(result.files[f"profiles/{profile}.tex"])
 
 
+SEARCHED = '[want]\nquantities = {}\n[output]\nformats = ["python", "json"]'
+
+
+@pytest.mark.parametrize(
+    ("profile", "count"),
+    [
+        ("cone", 5),
+        *(
+            pytest.param(*row, marks=pytest.mark.slow)
+            for row in [("paraboloid", 8), ("quartic", 8), ("rounded_cone", 10), ("sphere", 8), ("truncated_cone", 2)]
+        ),
+    ],
+)
+def test_where_a_contact_with_a_cohesive_zone_breaks(profile, count, tmp_path):
+    """By the least load of the proved formulas, and the loads there by the definitions.
+
+    A cone is held down to a = 0 under control of the depth, and a flat face of half a metre peels up to where the zone
+    reaches its edge.
+    """
+    wanted = '["radius_from_depth", "radius_from_force", "pull_off"]'
+    result = composed_from(COHESIVE.format(profile) + SEARCHED.format(wanted))
+    errors = json.loads(result.files["evidence.json"])["module against 20-digit quadrature"]
+    assert set(errors) >= {"radius_from_depth", "radius_from_force"}
+    assert max(map(float, errors.values())) < 1e-11
+    assert run_plainly(result, tmp_path) == f"{count} values agree\n"
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong", "found"),
+    [
+        ("still(rate, a, q,", "still(1.01 * rate, a, q,", "pull_off"),
+        ("return State(a, q, ", "return State(1.001 * a, q, ", "pull_off"),
+        ("        F,\n", "        1.01 * F,\n", "radius_from_force"),
+        ("        d,\n", "        1.01 * d,\n", "radius_from_depth"),
+    ],
+)
+@pytest.mark.slow
+def test_another_state_is_refused(monkeypatch, right, wrong, found):
+    with monkeypatch.context() as patch:
+        exchanged(patch, "cohesive/cone.py", right, wrong)
+        with pytest.raises(ArithmeticError, match=found):
+            composed_from(COHESIVE.format("cone") + SEARCHED.format(f'["{found}"]'))
+
+
 @pytest.mark.parametrize(
     ("right", "wrong", "found"),
     [

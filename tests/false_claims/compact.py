@@ -46,7 +46,7 @@ def whole_sphere_over_a_cone() -> Claim:
 
 
 def hollowed(key: str) -> Claim:
-    """The ring of a profile with its sign changed, where the pressure is least."""
+    """The place of a profile with its sign changed, where the pressure is least."""
     true = derived(key)
     profile = true["rp"].profile
     hollow = replace(profile, pieces=tuple(replace(piece, expr=-piece.expr) for piece in profile.pieces))
@@ -200,6 +200,11 @@ NEEDED: Refusals = {
     ),
     # the greatest pressure
     "rings.greatest: require_regions(entry, regimes)": (lambda: regions("quartic", "rp", (a, h)), ONCE),
+    "rings._on_axis: f'(r) > 0 is not shown: ...": (lambda: hollowed("paraboloid"), "> 0 is not shown"),
+    "rings._on_axis: (f'(r)/r)' <= 0 is not shown: ...": (
+        lambda: formula("quartic", "rp", lambda radius: sp.S.Zero),
+        "<= 0 is not shown",
+    ),
     "rings._formula: one change of the sign of dp/dr, from positive to negative,": (
         lambda: hollowed("quartic"),
         "one change of the sign of dp/dr",
@@ -229,7 +234,7 @@ NEEDED: Refusals = {
         lambda: balance(lambda left, right: (left * (nt.r_peak - 2 * b), right * (nt.r_peak - 2 * b))),
         "is no positive factor",
     ),
-    "rings.greatest_pressure: require_regions(entry, (ring.chain,))": (
+    "rings.greatest_pressure: require_regions(entry, tuple((case.chain for case in rings))": (
         lambda: regions("quartic", "pp", (a, h)),
         ONCE,
     ),

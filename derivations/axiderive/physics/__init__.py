@@ -149,6 +149,8 @@ class Physics:
     """What each of its quantities is, in `DEPTH`, `FORCE` and `PRESSURE` of the contact that it superposes."""
     solved: sp.Symbol | None = None
     """A length in its formulas that one of its quantities is, as the root of an equation in all of its material."""
+    searched: tuple[Quantity, ...] = ()
+    """What its modules search for among the values of its quantities, with a pull-off: the radii of stable branches."""
     slipped: Mapping[str, tuple[str, str]] = field(default_factory=dict)
     """By quantity with a zone of stick, which one it is once that has shrunk, or mu times `plain.` one; with words."""
     compared: str = ""

@@ -31,6 +31,7 @@ from . import (
     Rule,
     Shown,
     Wording,
+    adhesive,
     normal,
 )
 from .medium import HOMOGENEOUS, Medium
@@ -262,6 +263,7 @@ PHYSICS = Physics(
     refusal=refusal,
     material=(dgamma, sigma_0),
     solved=cohesive,
+    searched=tuple(own for own in adhesive.QUANTITIES.values() if own.inverts),
     contact="with a cohesive zone",
     runtime=("physics.cohesive", "physics.cohesive_states", "physics.adhesion"),
     quantities={"cohesive": QUANTITIES},

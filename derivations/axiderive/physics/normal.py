@@ -230,7 +230,7 @@ class _Compact:
         if not self.medium.graded:
             found = {suffix: own.derive(self, entries) for suffix, own in CONSEQUENCES.items()}
             entries |= {suffix: self._entry(suffix, *stated) for suffix, stated in found.items()}
-        return entries | self._greatest(depth, pressure) | self._inverses(depth, force)
+        return entries | self._greatest(depth, pressure_status, pressure) | self._inverses(depth, force)
 
     def _force(self, scale: sp.Expr) -> tuple[Case, ...]:
         return tuple(Case(c, self.close(self.reduced.force(Order(c)) * scale)) for c in self.chains)
@@ -328,8 +328,9 @@ class _Compact:
             known = known + growth * self.medium.punch_displacement().expr().subs(a, b)
         return known + scale * sp.Integral(kernel, (psi, sp.asin(b / r), sp.asin(a / r)))
 
-    def _greatest(self, depth: tuple[Case, ...], pressure: tuple[Case, ...]) -> dict[str, Entry]:
-        found = peak.derive(self.profile, depth, pressure) if self.medium.k == 0 else None
+    def _greatest(self, depth: tuple[Case, ...], status: Status, pressure: tuple[Case, ...]) -> dict[str, Entry]:
+        closed = self.medium.k == 0 and status == "closed"
+        found = peak.derive(self.profile, depth, pressure) if closed else None
         if found is None:
             return {}
         status, radius, greatest = found

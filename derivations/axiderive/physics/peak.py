@@ -1,6 +1,13 @@
-"""Greatest pressure of a normal contact where it is finite and beside the axis: on which ring, and how large.
+"""Greatest pressure of a normal contact where it is finite: on the axis or on which ring, and how large.
 
-Three kinds of contact have it in a form that is proved to be the only one: a
+It is on the axis where f'(r)/r is continuous, positive and never rises, up to the edge of the contact. Such a face is
+a paraboloid and a sum, with positive factors, of faces f = min(r, c)^2/2 with c < a, of which the pressure is
+
+    E*/pi [2 sqrt(a^2 - r^2) - int_c^a (t^2 + s^2)/(s sqrt(t^2 - r^2)) dt],    s^2 = t^2 - c^2,
+
+for r < c, which falls, from a positive value on the axis; beyond c it is negative, as 2 < s/t + t/s.
+
+Three kinds of contact have a ring that is proved to be the only one: a
 pressure that is a polynomial of r^2 times sqrt(a^2 - r^2), any power of r, and the
 flat face with a rounded edge, whose pressure rises up to the rounding and falls in it.
 In t = sqrt(r^2 + u^2) the pressure (11.23) has a slope of its own,
@@ -16,12 +23,14 @@ For f = A r^n and q = (r/a)^2 it is a multiple of r^(n - 3), positive for n > 2,
 which falls. Where it vanishes p is the pressure p(0) = E* g'(a)/[pi (n - 1)] of a ring that has shrunk to the axis,
 as it has for n <= 2, over sqrt(1 - q).
 
-Two more have a greatest pressure that is no entry yet. That of the sphere leaves the axis at a = 0.93761 R. With R = 1,
-u^2 = (a^2 - r^2)/(1 - r^2) and Psi(z) = (1 - z^2) (z artanh z - 1), (1 - a^2) r^2 sqrt(a^2 - r^2) times the bracket is
-Psi(u) - Psi(a). Psi rises from -1 up to z = 0.93761, where 3 z = (3 z^2 - 1) artanh z, and falls to zero beyond, and u
-falls from a to zero as r grows: no zero of the bracket below that radius, and one beyond. The ellipsoid is that sphere
-stretched along its axis. The curved punch with a rounded edge always has a ring beyond b, with one proof for both, but
-where that is narrow or flat more pressure on the axis: which of the two is greater only their values say.
+Some have a greatest pressure that is no entry. That of a Gaussian bump is on the axis, and an integral. That of the
+sphere leaves the axis at a = 0.93761 R. With R = 1, u^2 = (a^2 - r^2)/(1 - r^2) and Psi(z) = (1 - z^2) (z artanh z -
+1), (1 - a^2) r^2 sqrt(a^2 - r^2) times the bracket is Psi(u) - Psi(a). Psi rises from -1 up to z = 0.93761, where 3 z
+= (3 z^2 - 1) artanh z, and falls to zero beyond, and u falls from a to zero as r grows: no zero of the bracket below
+that radius, and one beyond. The ellipsoid is that sphere stretched along its axis. The curved punch with a rounded
+edge always has a ring beyond b, with one proof for both, but where that is narrow or flat more pressure on the axis:
+which of the two is greater only their values say. A sum of powers may have more than one place: of r^2 and r^6, where
+the latter brings 0.7 of g'(a), the axis and a ring.
 """
 
 from __future__ import annotations
@@ -43,7 +52,9 @@ Found = tuple[Status, tuple[Case, ...], tuple[Case, ...]]
 
 
 def derive(profile: Profile, depth: tuple[Case, ...], pressure: tuple[Case, ...]) -> Found | None:
-    """The ring of greatest pressure and the pressure on it; None where no rule gives them."""
+    """Where the closed pressure is greatest and the pressure there; None where no rule gives them."""
+    if has_falling_curvature(profile):
+        return _on_axis(depth, pressure)
     if has_rounded_edge(profile):
         (regime,), (b,) = depth, profile.breaks
         own = next(case for case in pressure if case.chain.index(b) < case.chain.index(r))
@@ -58,6 +69,24 @@ def derive(profile: Profile, depth: tuple[Case, ...], pressure: tuple[Case, ...]
         return None
     at_ring = Case((a,), sp.factor(sp.expand(pressure[0].expr.subs(r, radius))))
     return "closed", (Case((a,), radius),), (at_ring,)
+
+
+def has_falling_curvature(profile: Profile) -> bool:
+    """Whether f'(r) is zero on the axis and shown to be positive and without a jump, and f'(r)/r to fall or to stay."""
+    positive = {tangent: sp.Dummy(positive=True) for piece in profile.pieces for tangent in piece.expr.atoms(sp.tan)}
+    slopes = [sp.expand(sp.diff(piece.expr, r).subs(positive)) for piece in profile.pieces]
+    joints = zip(slopes, slopes[1:], profile.breaks, strict=False)
+    smooth = all(sp.cancel((inner - outer).subs(r, b)) == 0 for inner, outer, b in joints)
+    falls = all(slope.is_positive and sp.diff(sp.expand(slope / r), r).is_nonpositive for slope in slopes)
+    return smooth and falls and slopes[0].subs(r, 0) == 0
+
+
+def _on_axis(depth: tuple[Case, ...], pressure: tuple[Case, ...]) -> Found | None:
+    inner = [next(one for one in pressure if one.chain == (r, *regime.chain)) for regime in depth]
+    middle = tuple(Case(regime.chain, one.expr.subs(r, 0)) for regime, one in zip(depth, inner, strict=True))
+    if any(one.expr == 0 or one.expr.has(sp.nan, sp.zoo, sp.oo) for one in middle):
+        return None  # not continuous at r = 0 as it is written
+    return "closed", tuple(Case(regime.chain, sp.S.Zero) for regime in depth), middle
 
 
 def has_rounded_edge(profile: Profile) -> bool:

@@ -192,6 +192,11 @@ class Contact:
         return Defined(self.profile, values, digits, False, self._definition)
 
     @cached_property
+    def superposed(self) -> Mapping[str, Entry]:
+        """The entries of a contact that superposes the one whose entries are known."""
+        return self.request.kind.system.derive(self.profile, self.entries)
+
+    @cached_property
     def _definition(self) -> Definition:
         return definition(self.profile, self.given(), DIGITS)
 

@@ -116,7 +116,8 @@ class Function:
     @property
     def signed(self) -> bool:
         """Whether a field may be negative: loads under adhesion, places under an eccentric load."""
-        return (self.kind.physics.tension and self.name in SIGNED) or self.leaning
+        pulled = self.kind.physics.tension or self.kind.physics.searched
+        return bool(pulled and self.name in SIGNED) or self.leaning
 
     @property
     def leaning(self) -> bool:
@@ -139,6 +140,8 @@ class Function:
         if self.whole:
             return self.quantity.summary
         unit = nt.describe(self.quantity.symbol).unit
+        if self.quantity in self.kind.physics.searched:
+            return f"{self.quantity.summary.rstrip('.')} [{unit}]."
         system = self.kind.system
         key = system.medium.key(system.pool.id(profile), system.group, self.quantity.suffix)
         return f"{self.quantity.summary.rstrip('.')} [{unit}]; {key}."
@@ -167,7 +170,7 @@ def functions(kind: Kind, contact: str = "compact") -> dict[str, Function]:
         table = {"f": SHAPE} | {**table}
     return {
         quantity.function: Function(kind, quantity, contact)
-        for quantity in table.values()
+        for quantity in (*table.values(), *kind.physics.searched)
         if not quantity.control and not quantity.member and (not quantity.threshold or contact == CONCAVE)
     }
 

@@ -450,7 +450,7 @@ def _example(text: SceneText, scene: Scene, raw: object) -> None:
 def _available(kind: interface.Kind, contact: str) -> list[str]:
     """Names of the functions of a kind of contact; those of the normal contact come with tangential ones."""
     own = [name for one in (kind, kind.below) if one for name in interface.functions(one, contact)]
-    return [*own, interface.PULL_OFF] if kind.physics.tension else own
+    return [*own, interface.PULL_OFF] if kind.physics.tension or kind.physics.searched else own
 
 
 def _output(text: SceneText, scene: Scene) -> None:

@@ -6,7 +6,7 @@ reference for `pull_off`; strips have both sides of the middle; a viscoelastic h
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, cached_property, partial
 from typing import Any
@@ -46,6 +46,8 @@ PLACES = 24
 """On the face, at which the depth of complete contact is looked for."""
 FURTHER = 1.3 ** np.arange(1, 6)
 """Larger radii over this one at which a load is asked whether it is carried twice."""
+WIDER = 4.0 ** np.arange(6)
+"""Radii over this one, of which the first is taken at which a load is on its stable branch."""
 DISTANCE = 2.7
 """Of the reference point of the depth of a strip, over the half-width."""
 LATER = (0.4, 1.9)
@@ -235,8 +237,17 @@ class _Radius:
 
     def solved(self, function: Function, stated: Mapping[str, sp.Expr]) -> Rows:
         """A contact with a length that is the root of an equation, by the definitions at that length."""
-        a, quantity, places = self.a, function.quantity, [short(0.45 * self.a)]
-        length, solved = self.length(stated), self.contact.request.kind.physics.solved
+        a, quantity, places, physics = (
+            self.a,
+            function.quantity,
+            [short(0.45 * self.a)],
+            self.contact.request.kind.physics,
+        )
+        if quantity in physics.searched:
+            source = quantity.inverts
+            own = next((one for one in self.others(WIDER) if one.rises(source)), None)
+            return [((float(own.at(own.length(stated)).defined(stated[source])),), mp.mpf(own.a))] if own else []
+        length, solved = self.length(stated), physics.solved
         if quantity.symbol == solved:
             return [((a,), length)]
         if quantity.place == "outside":
@@ -255,30 +266,56 @@ class _Radius:
         assert solved is not None
         return replace(here, values={**here.values, solved: length})
 
+    def formula(self, suffix: str, length: Any) -> Any:
+        """A quantity by its proved formula, at a value of the length; of an equation the logarithm of its sides."""
+        here = self.at(length)
+        known = case_at(self.contact.superposed[suffix], here.values).expr
+        if not isinstance(known, sp.Equality):
+            return evaluated(known, here.values)
+        return mp.log(evaluated(known.lhs, here.values) / evaluated(known.rhs, here.values))
+
+    @cached_property
+    def root(self) -> str:
+        """The suffix of the length that is solved for."""
+        physics = self.contact.request.kind.physics
+        table = physics.table(self.contact.profile)
+        return next(suffix for suffix, own in table.items() if own.symbol == physics.solved)
+
+    @cached_property
+    def rough(self) -> Any:
+        """The length as the root of its proved formula; None where that is beyond the profile."""
+        formula, end = partial(self.formula, self.root), self.contact.end()
+        ends = self.a * (1 + mp.mpf(NEAREST)), min(end * (1 - mp.mpf(NEAR)), self.a / mp.mpf(STEP))
+        if self.a >= end or formula(ends[1]) < 0:
+            return None
+        return mp.findroot(formula, ends, solver="anderson", tol=mp.mpf(10) ** -DIGITS, verify=False)
+
     def length(self, stated: Mapping[str, sp.Expr]) -> Any:
         """The root by one step of the definition from that of the formula, found once."""
-        contact, system = self.contact, self.contact.request.kind.system
-        key = (system.physics.solved, self.a)
+        contact, key = self.contact, (self.root, self.a)
         if key not in contact.found:
-            entries = system.derive(contact.profile, contact.entries)
-            (entry,) = (one for one in entries.values() if one.quantity.symbol == system.physics.solved)
-            wanted = stated[entry.quantity.suffix]
-
-            def formula(length: Any) -> Any:
-                here = self.at(length)
-                known = case_at(entry, here.values).expr
-                return mp.log(evaluated(known.lhs, here.values) / evaluated(known.rhs, here.values))
-
-            ends = self.a * (1 + mp.mpf(NEAREST)), min(contact.end() * (1 - mp.mpf(NEAR)), self.a / mp.mpf(STEP))
-            if formula(ends[1]) < 0:
+            start, wanted = self.rough, stated[self.root]
+            if start is None:
                 given = ", ".join(f"{name} = {contact.all[name]:g}" for name in contact.request.kind.material)
-                message = f"{given}: at a = {self.a:.3g} m the zone is beyond the profile; change these values"
+                message = f"{given}: at a = {float(self.a):.3g} m the zone is beyond the profile; change these values"
                 raise CommandError(message, FAILED)
-            start = mp.findroot(formula, ends, solver="anderson", tol=mp.mpf(10) ** -DIGITS, verify=False)
             here, step = self.at(start), STEP * (start - self.a)
             missing = mp.log(here.defined(wanted.lhs) / here.defined(wanted.rhs))
-            contact.found[key] = start - missing * step / formula(start + step)
+            contact.found[key] = start - missing * step / self.formula(self.root, start + step)
         return contact.found[key]
+
+    def loaded(self, suffix: str) -> Any:
+        """A load by its proved formula."""
+        return self.formula(suffix, self.rough)
+
+    def others(self, shares: Any) -> Iterator[_Radius]:
+        """Those at other radii, over this one, whose zones end before the profile does."""
+        found = (_Radius(self.contact, float(self.a * share)) for share in shares)
+        return (one for one in found if one.rough is not None)
+
+    def rises(self, suffix: str) -> bool:
+        """Whether a load rises through this radius and no larger one in the domain carries the same."""
+        return all(one.loaded(suffix) > self.loaded(suffix) for one in self.others((1 + STEP, *FURTHER)))
 
 
 class Edged:
@@ -369,6 +406,8 @@ def detached(contact: Contact, control: str, radius: float) -> State | None:
     if nt.wavelength in contact.profile.parameters:
         return None
     with mp.workdps(DIGITS + GUARD):
+        if contact.request.kind.physics.solved:
+            return _parted(contact, control, radius)
         here, wanted = contact.half_space(), mp.mpf(contact.all["dgamma"])
         if not contact.compact:
             a = mp.mpf(contact.all["a"])
@@ -389,6 +428,40 @@ def detached(contact: Contact, control: str, radius: float) -> State | None:
         # what is held is least there where the work of separation rises through that of the scene
         place = radius * scale if missing(scale * (1 + STEP)) > 0 else mp.nan
         return float(place), float(here.adhesive("F", radius * scale)), _depth(here, radius * scale)
+
+
+def _parted(contact: Contact, control: str, radius: float) -> State | None:
+    """Where a load is least by the proved formulas, at a break or stationary, and the loads there by the definitions.
+
+    None within a flat face, where the zone begins to reach beyond it: no formula is stated of such a contact.
+    """
+    known = contact.given()
+    breaks = [b for b in (number(known[symbol]) for symbol in contact.profile.breaks) if b <= radius * (1 + NEAR)]
+    if contact.profile.truncated and not breaks:
+        return None
+    corner = bool(breaks) and abs(radius / breaks[-1] - 1) < NEAR
+    start = breaks[-1] if breaks and not corner else mp.mpf(0)
+
+    kind = contact.request.kind
+    suffixes = {name: own.quantity.suffix for name, own in interface.functions(kind).items()}
+
+    def place(share: Any) -> Any:
+        return start + (radius - start) * share
+
+    def rate(share: Any) -> Any:
+        more, less = (_Radius(contact, place(share + step)).loaded(suffixes[control]) for step in (STEP, -STEP))
+        return (more - less) / STEP
+
+    share = mp.mpf(1)
+    if not corner:
+        share = mp.findroot(rate, (share, share + STEP), solver="secant", tol=1e-10, verify=False)
+    own = _Radius(contact, place(share))
+    if not rate(share + 2 * STEP) > 0 or kind.physics.definitions is None:
+        return (float("nan"),) * 3
+    stated = kind.physics.definitions(contact.profile, kind.system.medium)
+    here = own.at(own.length(stated))
+    force, depth = (float(here.defined(stated[suffixes[load]])) for load in ("force", "depth"))
+    return float(own.a), force, depth
 
 
 def _depth(here: HalfSpace, a: Any) -> float:

@@ -28,6 +28,11 @@ def bodies(compact: Compact, functions: PrivateFunctions, entries: Mapping[str, 
         build = _beyond if compact.b else _of_power
         build(compact, functions, greatest)
         return
+    if all(case.expr == 0 for case in ring.cases):
+        functions.add(RADIUS, ("a",), ["return np.zeros_like(a)"])
+        middle = functions["pressure"].call("np.zeros_like(a)", "a")
+        functions.add(greatest.quantity.function, ("a",), [f"return {middle}"])
+        return
     for entry, name in ((ring, RADIUS), (greatest, greatest.quantity.function)):
         (case,) = entry.cases
         form = functions.form(entry, case.expr, facts_of(case.chain))

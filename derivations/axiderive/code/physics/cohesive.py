@@ -11,8 +11,7 @@ from ...abel.masters import Dawson
 from ...entry import COMPACT, FOUR
 from ...letters import name_of
 from ...notation import E_star, a, dgamma, r, sigma_0
-from ...physics import adhesive
-from ...physics.cohesive import cohesive
+from ...physics.cohesive import PHYSICS, cohesive
 from .. import docstring
 from ..function import Function
 from ..text import python
@@ -27,8 +26,6 @@ LOSSES = {
     "_displacement": "lift_of_zone(r, q, a, E_star, sigma_0)",
 }
 NOTE = "Negative or NaN field values give NaN, as do states whose zone would reach beyond the profile."
-INVERSES = [quantity for quantity in adhesive.QUANTITIES.values() if quantity.inverts]
-"""The radii on the stable branches, as they are called without a zone."""
 PULL = "-np.pi * sigma_0 * c * c"
 """Force of a zone without contact."""
 PARTED = "depth"
@@ -85,7 +82,7 @@ def _states(writer: Writer, opened: str) -> None:
     for member, value in (("depth", "depth"), ("force", PULL)):
         lines = [f"depth = {apart.format('c')}", f"return {closed.format(value)}"]
         writer.rule(f"_without_contact_{member}", [ZONE], needs, lines)
-    for inverse in INVERSES:
+    for inverse in PHYSICS.searched:
         (field,), load = map(name_of, inverse.arguments), COMPACT[inverse.inverts].function
         states = searched.format(f'"{load}"')
         found = f"radius_under({states}, {field}, _radii({given}))"
@@ -264,7 +261,7 @@ def _pull_off(writer: Writer) -> None:
 def _inverses(writer: Writer) -> None:
     """Adds the contact radii on the stable branches."""
     names = [name_of(symbol) for symbol in _symbols(writer)]
-    for quantity in INVERSES:
+    for quantity in PHYSICS.searched:
         (field,) = map(name_of, quantity.arguments)
         doc = docstring.document(
             quantity.summary,

@@ -41,7 +41,7 @@ def interface(writer: Writer, order: Sequence[str] = ()) -> None:
     symbols = [*profile.parameters, *medium.moduli]
     names = [name_of(symbol) for symbol in symbols]
     doc = docstring.document(
-        "Work of separation at which a contact breaks under the normal force F: the inverse of pull_off().force.",
+        "Work of separation at which a contact breaks under the normal force F: the inverse of the force of pull_off.",
         docstring.usual(docstring.wrapped(_stated(writer))),
         docstring.parameters([F], symbols),
         (docstring.NUMBERS, f"{docstring.measured(docstring.in_words(dgamma), dgamma)}. {docstring.SHAPE}"),

@@ -27,8 +27,26 @@ def greatest(proof: Compact) -> list[str]:
         return _of_power(proof, entry, n)
     regimes = tuple(case.chain for case in proof.entry("d").cases)
     require_regions(entry, regimes)
+    if all(case.expr == 0 for case in entry.cases):
+        return _on_axis(proof)
     (case,) = entry.cases
     return _balance(proof, case) if entry.status == "root" else _formula(proof, case.expr)
+
+
+def _on_axis(proof: Compact) -> list[str]:
+    """Where f'(r)/r is positive and never rises, by the sum of faces that `physics/peak.py` speaks of."""
+    breaks = proof.profile.breaks
+    steps, before = list[str](), sp.S.Zero
+    for i, piece in enumerate(proof.profile.pieces):
+        lower, chain = [sp.S.Zero, *breaks][i], (*breaks[:i], r, *breaks[i:], a)
+        domain, slope = proof.domain(chain), sp.diff(piece.expr, r)
+        jump = at(slope, r, lower) - before
+        steps.append(require_zero(jump, proof.domain(breaks), f"f'(r) has no jump at r = {lower}"))
+        curvature = normal(canonical(sp.diff(slope / r, r), domain), domain)
+        require(sign(slope, domain) > 0, "f'(r) > 0 is not shown: {}", slope)
+        require(curvature == 0 or sign(curvature, domain) < 0, "(f'(r)/r)' <= 0 is not shown: {}", curvature)
+        before = at(slope, r, piece.upper) if piece.upper else slope
+    return [*steps, "f'(r) > 0, (f'(r)/r)' <= 0: no place has more pressure than the axis"]
 
 
 def _formula(proof: Compact, place: sp.Expr) -> list[str]:
@@ -145,8 +163,11 @@ def greatest_pressure(proof: Compact) -> list[str]:
     entry = proof.entry("pp")
     if (n := free_power(proof)) is not None:
         return _pressure_of_power(proof, entry, n)
-    (ring,), (own,) = proof.entries["rp"].cases, entry.cases
-    require_regions(entry, (ring.chain,))
+    rings = proof.entries["rp"].cases
+    require_regions(entry, tuple(case.chain for case in rings))
+    if all(case.expr == 0 for case in rings):
+        return _pressure_on_axis(proof, entry)
+    (ring,), (own,) = rings, entry.cases
     if proof.entries["rp"].status != "root":
         (whole,) = proof.entry("p").cases
         require(
@@ -158,6 +179,14 @@ def greatest_pressure(proof: Compact) -> list[str]:
     (b,) = proof.profile.breaks
     outer = next(case for case in proof.entry("p").cases if case.chain == (b, r, a))
     return [require_zero(own.expr.subs(r_peak, r) - outer.expr, proof.domain(outer.chain), "p_max = p(r_max), r > b")]
+
+
+def _pressure_on_axis(proof: Compact, entry: Entry) -> list[str]:
+    steps = list[str]()
+    for own in entry.cases:
+        whole = next(case.expr for case in proof.entry("p").cases if case.chain == (r, *own.chain))
+        steps.append(require_zero(own.expr - at(whole, r, sp.S.Zero), proof.domain(own.chain), "p_max = p(0)"))
+    return steps
 
 
 def _pressure_of_power(proof: Compact, entry: Entry, n: sp.Symbol) -> list[str]:

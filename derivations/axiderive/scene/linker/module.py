@@ -235,6 +235,8 @@ SILENT = '@np.errstate(all="ignore")\n'
 WAVES = "from ._runtime.graded.waves import steepest_waves\n\n"
 PLAIN = frozenset(["_runtime.physics.adhesion", "_runtime.interface"])
 """Modules of the runtime that have nothing but formulas for the state of pull-off."""
+ZONE = "_pull_off_zone"
+"""What loads take of a state of pull-off beside its radius, where that has a cohesive zone."""
 REQUIRE_ORDER = "_require_order"
 
 
@@ -260,7 +262,9 @@ def pull_off(modules: Mapping[str, Module], key: str, parameters: Sequence[str],
     """The state at which the contact breaks, which has no fields and three results."""
     found, three = modules[key], ("radius", "force", "depth")
     names = {name: own if (own := f"_pull_off_{name}") in found.definitions else f"_{name}" for name in three}
-    growing = names["radius"] in found.definitions
+    growing, zoned = names["radius"] in found.definitions, ZONE in found.definitions
+    if zoned:
+        names["force"] = "_force_of"
     called = {
         f"{name}_of": _call(modules, f"{key}:{own}") for name, own in names.items() if growing or name != "radius"
     }
@@ -271,9 +275,11 @@ def pull_off(modules: Mapping[str, Module], key: str, parameters: Sequence[str],
     else:
         called["radius_of"] = f"np.ravel({called['radius_of']})"
         called["state"] = "*(float(np.squeeze(x)) for x in (a, force, depth))"
+    called["zone_of"] = f"\n    q = {_call(modules, f'{key}:{ZONE}')}" if zoned else ""
     return TEMPLATES["growing" if growing else "peeling"].format(
-        module=key, parameters=", ".join(parameters), silent=SILENT if growing or array else "", **names, **called
-    )
+        module=key, parameters=", ".join(parameters), silent=SILENT if growing or array else "",
+        zone=f", {ZONE}" if zoned else "", **names, **called,
+    )  # fmt: skip
 
 
 STRESSES = "_runtime.subsurface.stresses"
