@@ -24,9 +24,11 @@ Strip = tuple[Callable[[float], float], float, float, bool, float]
 
 
 def rule(lengths: tuple[tuple[float, int], ...]) -> Callable[[float], Pairs]:
-    """Nodes and weights on (0, 1) for an interval of a length, in panels beyond the last one."""
+    """Nodes and weights on (0, 1) for an interval of a length, in panels beyond the last one; none where there is none."""
 
     def pairs(length: float) -> Pairs:
+        if length == 0.0 or length != length:
+            return []
         for longest, count in lengths:
             if length <= longest:
                 return _pairs(count, 1)
@@ -77,15 +79,9 @@ def both(
     width: float = 1.0,
     lengths: tuple[tuple[float, int], ...] = STRIPS,
 ) -> tuple[float, float]:
-    """The integrals of both members of a pair from 0 to `stop`, from the same nodes, in as many panels as it takes."""
-    if stop != stop:
-        return stop, stop
-    panels = max(math.ceil(stop / width / lengths[-1][0]), 1)
-    nodes = rule(lengths)(stop / width / panels)
-    if panels > 1:
-        nodes = [((start + node) / panels, weight / panels) for start in range(panels) for node, weight in nodes]
+    """The integrals of both members of a pair from 0 to `stop`, from the same nodes."""
     first, second = [], []
-    for node, weight in nodes:
+    for node, weight in rule(lengths)(stop / width):
         x, y = integrand(node * stop)
         first.append(weight * x)
         second.append(weight * y)

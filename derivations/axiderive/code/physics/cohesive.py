@@ -172,6 +172,10 @@ def _opened(writer: Writer) -> list[str]:
         slope = f"lambda t, root: normal._slope({', '.join(['t', *tip[1:]])})"
         return [f"return opening_below({slope}, q, a, {python(end)})"]
     slope = f"lambda t: normal._slope({', '.join(['t', *tip[1:]])})"
+    if writer.summed:
+        # what does not change along the path stands in front of it
+        terms = "terms = [(j - 1, j * depth_over_height(j) * A_j) for j, A_j in enumerate(A, 1)]"
+        return [terms, "return opening(lambda t: sum(rate * t**power for power, rate in terms), q, a, NODES)"]
     (depth,) = (case.expr for case in writer.plain[FOUR[0]].cases)
     if depth.is_polynomial(a) or depth.has(sp.Sum, Dawson):
         return [f"return opening({slope}, q, a, {'SHORT' if depth.is_polynomial(a) else 'NODES'})"]

@@ -21,6 +21,8 @@ Opening = Callable[[Array, Array], tuple[Array, Array]]
 Slope = Callable[..., Array]
 NODES, SHORT, TIP = 32, 16, 64
 """Of a slope of any form, of a polynomial up to the fifth power, and of a tip of any form."""
+LENGTHS = (*STRIPS, (18.03, 128))
+"""Next to no contact a path is long: with these, four panels go as far as there are states."""
 NARROW = 0.7
 """Of pi/2: how close images of the end of a profile come to the path."""
 WITHIN = 1.0 - 1e-6
@@ -58,9 +60,11 @@ def both(
     integrand: Callable[[Array], tuple[Array, Array]],
     stop: Array,
     width: float = 1.0,
-    lengths: tuple[tuple[float, int], ...] = STRIPS,
+    lengths: tuple[tuple[float, int], ...] = LENGTHS,
 ) -> tuple[Array, Array]:
     """The integrals of both members of a pair from 0 to `stop`."""
+    if hasattr(stop, "integrals"):
+        return stop.integrals(integrand, width, lengths)
     gap = integral_by_length(lambda x: integrand(x)[0], stop, width, lengths)
     return gap, integral_by_length(lambda x: integrand(x)[1], stop, width, lengths)
 
@@ -138,7 +142,8 @@ def opening_below(slope: Slope, q: Array, a: Array, R: Array) -> tuple[Array, Ar
         return growth * u * sine, growth * cosine
 
     gap, rate = both(gained, end, NARROW)
-    return np.where(inside, 2.0 / np.pi * c * gap, np.inf), np.where(inside, 2.0 / np.pi * rate, np.inf)
+    factor = np.where(inside, 2.0 / np.pi, np.inf)
+    return factor * c * gap, factor * rate
 
 
 def opening_tip(slope: Slope, q: Array, a: Array, b: Array, nodes: int) -> tuple[Array, Array]:
@@ -160,8 +165,8 @@ def opening_beyond(slope: Slope, q: Array, a: Array, b: Array) -> tuple[Array, A
     outer = np.where(a < b, np.sqrt(np.maximum(q - short, 0.0) * (q + short)), np.hypot(inner, q))
     # next to each other the two roots are equal, and their difference is not
     whole = np.where(a < b, outer, q)
-    holds = whole > 0.0
-    outer, whole = np.where(holds, outer, b), np.where(holds, whole, b)
+    # where nothing is beyond the break the path has no length
+    outer = np.where(whole > 0.0, outer, b)
     scale = np.arcsinh(b / outer)
     # root = outer cos(angle), angle = pi/2 - scale sinh(last - v)
     angle = np.arctan2(whole, inner)
@@ -175,7 +180,7 @@ def opening_beyond(slope: Slope, q: Array, a: Array, b: Array) -> tuple[Array, A
         return growth * np.arctan2(side, t) * (side / t), growth / c
 
     gap, rate = both(gained, end)
-    return np.where(holds, 2.0 / np.pi * gap, 0.0), np.where(holds, 2.0 / np.pi * rate, 0.0)
+    return 2.0 / np.pi * gap, 2.0 / np.pi * rate
 
 
 def work_of_zone(opened: Opening, q: Array, a: Array, E_star: Array, sigma_0: Array) -> Array:
