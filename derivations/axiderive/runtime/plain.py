@@ -24,11 +24,9 @@ Strip = tuple[Callable[[float], float], float, float, bool, float]
 
 
 def rule(lengths: tuple[tuple[float, int], ...]) -> Callable[[float], Pairs]:
-    """Nodes and weights on (0, 1) for an interval of a length, in panels beyond the last one; none where there is none."""
+    """Nodes and weights on (0, 1) for an interval of a length, in panels beyond the last one."""
 
     def pairs(length: float) -> Pairs:
-        if length == 0.0 or length != length:
-            return []
         for longest, count in lengths:
             if length <= longest:
                 return _pairs(count, 1)
@@ -80,8 +78,8 @@ def both(
     lengths: tuple[tuple[float, int], ...] = STRIPS,
 ) -> tuple[float, float]:
     """The integrals of both members of a pair from 0 to `stop`, from the same nodes."""
-    first, second = [], []
-    for node, weight in rule(lengths)(stop / width):
+    first, second = list[float](), list[float]()
+    for node, weight in rule(lengths)(stop / width) if abs(stop) > 0.0 else ():
         x, y = integrand(node * stop)
         first.append(weight * x)
         second.append(weight * y)

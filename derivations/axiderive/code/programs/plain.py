@@ -156,11 +156,14 @@ class Lines:
         self.written.update(sums)
         inner = [f"v{variable.order} = node * {self.of(stop)}", *self._assigned(path, node, variable)]
         inner += [f"v{x.order}.append(weight * {self.of(x.operands[3])})" for x in sums]
+        loop = [f"for node, weight in {name}({self.of(stop)} / {self.of(width)}):", *(f"    {line}" for line in inner)]
+        if len(sums) > 1:
+            # paths of no length are common among those of pairs
+            loop = [f"if abs({self.of(stop)}) > 0.0:", *(f"    {line}" for line in loop)]
         # summed one by one the 64 nodes of a power lose 3 units, which a pressure next to its zero takes up
         return [
             *(f"v{x.order} = []" for x in sums),
-            f"for node, weight in {name}({self.of(stop)} / {self.of(width)}):",
-            *(f"    {line}" for line in inner),
+            *loop,
             *(f"v{x.order} = fsum(v{x.order}) * {self.of(stop)}" for x in sums),
         ]
 
