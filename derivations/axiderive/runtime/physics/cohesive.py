@@ -36,6 +36,8 @@ CLOSE = 3e-8
 """Miss of the gap, by itself, that one more step in q makes small beside rounding."""
 SAME = 1e-12
 """Change of q beyond which the rate is looked at again."""
+LEAST = 1e-17
+"""What a root beyond a break is no less than, over that of c: it would be less than 0 by rounding where c is far."""
 CLOSEST = 1e-9
 """Root of 1 - (r/c)**2 next to r = c: no double is closer but c itself."""
 EMPTY = 0.5 * np.pi - 1.0
@@ -162,8 +164,8 @@ def opening_tip(slope: Slope, q: Array, a: Array, b: Array, R: Array | None = No
     length = end - start
 
     def below(t: Array) -> Array:
-        # where nothing is below the break the slope is asked for beyond it, and may be no number there
-        return slope(np.minimum(t, b))
+        # elsewhere the slope may be no number: where nothing is below the break, or c is so far that t is its rounding
+        return slope(np.minimum(np.abs(t), b))
 
     if R is None:
         return _along(below, c, start, length, 1.0, POLYNOMIAL)
@@ -190,7 +192,7 @@ def opening_beyond(slope: Slope, q: Array, a: Array, b: Array) -> tuple[Array, A
 
     def gained(v: Array) -> tuple[Array, Array]:
         turned = 2.0 * scale * np.cosh(last - 0.5 * v) * np.sinh(0.5 * v)
-        root, side = outer * np.cos(turned), outer * np.sin(turned)
+        root, side = outer * np.maximum(np.cos(turned), LEAST), outer * np.sin(turned)
         t = np.sqrt(b * b + root * root)
         growth = slope(t, root) * root * scale * np.cosh(last - v)
         return growth * np.arctan2(side, t) * (side / t), growth / c
@@ -243,7 +245,7 @@ def root_near(
     dgamma: Array,
     sigma_0: Array,
     largest: Array | float = np.inf,
-    close: float = 1e-5,
+    close: float = 3e-7,
 ) -> tuple[Array, Array]:
     """The same from a guess on, and the rate of the gap with c there."""
     load, looked = 4.0 / np.pi * (sigma_0 / E_star), []

@@ -138,7 +138,7 @@ def parted(opened: Opening, first: Array, E_star: Array, sigma_0: Array) -> Arra
 
     last = near(first, first)
     least = _between(near, _by_ratio, _none(last)._replace(a=np.zeros_like(first)), last, last.ratio >= 1.0)
-    return np.where(least.ratio < 2.0, least.a, 0.0 * first)
+    return np.where(np.isnan(least.a), 0.0, least.a)
 
 
 def _by_ratio(state: State) -> Array:
