@@ -238,6 +238,16 @@ def test_a_weak_attraction_lets_go_without_contact() -> None:
     assert own.radius_from_depth(0.5 * (state.depth + own.depth(0.0, **material)), **material) == 0.0
 
 
+@pytest.mark.parametrize("sigma", [0.105, 0.12, 0.136, 0.15, 0.17])
+def test_a_corner_holds_surfaces_apart(sigma: float) -> None:
+    """Where the slope jumps at b over the one at which the depth is least, to four times as much."""
+    geometry, rim, work = {"R1": 4.0, "R2": 1.0, "b": 0.5}, 0.5, 0.16 * sigma
+    state = module("capped_paraboloid").pull_off("depth", **geometry, E_star=1.0, dgamma=work, sigma_0=sigma)
+    assert state.radius == 0.0
+    assert state.force == pytest.approx(-np.pi * sigma * rim**2, rel=1e-13)
+    assert state.depth == pytest.approx(rim**2 / 8.0 - work / sigma - 4.0 * sigma * rim / np.pi, rel=1e-13)
+
+
 def test_what_is_asked_wrongly_is_refused() -> None:
     own = module("paraboloid")
     with pytest.raises(ValueError, match="a <= c"):

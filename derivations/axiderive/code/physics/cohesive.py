@@ -156,8 +156,8 @@ def _opened(writer: Writer) -> list[str]:
         b, parts = str(profile.breaks[0]), []
         if tip is not None:
             slope = f"lambda t: normal._slope({_with_root(tip, 'np.sqrt((R - t) * (R + t))')})"
-            nodes = "SHORT" if profile.pieces[0].expr.is_polynomial(r) else "TIP"
-            body.append(f"tip, tip_rate = opening_tip({slope}, q, a, {b}, {nodes})")
+            singular = "" if profile.pieces[0].expr.is_polynomial(r) else ", R"
+            body.append(f"tip, tip_rate = opening_tip({slope}, q, a, {b}{singular})")
             parts.append(("tip", "tip_rate"))
         slope = f"lambda t, root: normal._slope_beyond({', '.join(['t', *slopes['_slope_beyond'][1:]])})"
         body.append(f"beyond, rate = opening_beyond({slope}, q, a, {b})")
@@ -169,9 +169,13 @@ def _opened(writer: Writer) -> list[str]:
         slope = f"lambda t, root: normal._slope({', '.join(['t', *tip[1:]])})"
         return [f"return opening_below({slope}, q, a, {python(end)})"]
     slope = f"lambda t: normal._slope({', '.join(['t', *tip[1:]])})"
+    if writer.summed:
+        # what does not change along the path stands in front of it
+        terms = "terms = [(j - 1, j * depth_over_height(j) * A_j) for j, A_j in enumerate(A, 1)]"
+        return [terms, "return opening(lambda t: sum(rate * t**power for power, rate in terms), q, a, ENTIRE)"]
     (depth,) = (case.expr for case in writer.plain[FOUR[0]].cases)
     if depth.is_polynomial(a) or depth.has(sp.Sum, Dawson):
-        return [f"return opening({slope}, q, a, {'SHORT' if depth.is_polynomial(a) else 'NODES'})"]
+        return [f"return opening({slope}, q, a, {'POLYNOMIAL' if depth.is_polynomial(a) else 'ENTIRE'})"]
     if power is not None:
         return [f"return opening_power({slope}, q, a, {python(power)})"]
     # a root of r**2 + b**2

@@ -28,6 +28,8 @@ WITHOUT_ERRORS = frozenset(("sqrt", "log", "log1p"))
 """Functions of `math` that are not a number outside their domain, under the same names."""
 NUMBERS = frozenset(("Array", "Array | float", "float"))
 """Annotations of arguments that are numbers."""
+RESULTS = frozenset(("Array", "tuple[Array, Array]"))
+"""Annotations of results that are one number or two."""
 NEEDS_ARRAYS = frozenset(("gauss_legendre",))
 """Names that a body may not refer to: nodes along an axis."""
 COUNTERPARTS = {
@@ -94,7 +96,7 @@ class Twins:
         """The result of a function of numbers alone, if it has a graph that always holds."""
         if function not in self._graphs:
             *given, result = [*function.__annotations__.items()] or [("return", "")]
-            flat = result == ("return", "Array") and NUMBERS.issuperset(kind for _, kind in given)
+            flat = result[1] in RESULTS and NUMBERS.issuperset(kind for _, kind in given)
             found = trace(function, dict(given), ()) if flat and not self._decorators(function) else None
             self._graphs[function] = None if found is None or found.name == "unless" else found
         return self._graphs[function]

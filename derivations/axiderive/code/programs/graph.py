@@ -134,15 +134,17 @@ class Graph:
         self.refused = condition
         return False
 
-    def integral(self, stop: Node, width: Node, summand: Callable[[Node], Node], lengths: Lengths) -> Node:
-        """The integral of a function of a variable from 0 to `stop`, by the nodes that `stop/width` asks for."""
+    def integrals(
+        self, stop: Node, width: Node, summands: Callable[[Node], Iterable[Node]], lengths: Lengths
+    ) -> list[Node]:
+        """The integrals of functions of one variable from 0 to `stop`, by the nodes that `stop/width` asks for."""
         if self.summing and not self.roots:
             raise UntraceableError
         variable = self.variable()
         self.summing = True
-        operands = (stop, width, variable, summand(variable))
+        found = [*summands(variable)]
         self.summing = False
-        return self._node("integral", operands, lengths)
+        return [self._node("integral", (stop, width, variable, own), lengths) for own in found]
 
     def other(self, name: str, operands: Sequence[Node], value: Any = None) -> Node:
         """What expressions alone have: a `call` of a function by its module and name, a `weighted` integral, terms."""
@@ -236,11 +238,15 @@ class Traced(NDArrayOperatorsMixin):
 
     def integral(self, integrand: Callable[[Any], Any], width: Any, lengths: Lengths) -> Traced:
         """What the rules call in the place of their loop over nodes."""
+        return self.integrals(lambda x: (integrand(x),), width, lengths)[0]
+
+    def integrals(self, integrand: Callable[[Any], Iterable[Any]], width: Any, lengths: Lengths) -> list[Traced]:
+        """The same of several at the same nodes."""
         graph = self.graph
-        node = graph.integral(
-            self.node, graph.of(width), lambda variable: graph.of(integrand(Traced(graph, variable))), lengths
+        found = graph.integrals(
+            self.node, graph.of(width), lambda variable: map(graph.of, integrand(Traced(graph, variable))), lengths
         )
-        return Traced(graph, node)
+        return [Traced(graph, node) for node in found]
 
     def weighted(self, smooth: Callable[[Any], Any], above: Any) -> Traced:
         """What stands for the rule of a weight."""
@@ -276,7 +282,10 @@ def trace(
             *(Traced(graph, graph.argument(name)) for name in fields),
             **{name: Traced(graph, graph.argument(name)) for name in keywords},
         )
-        node = result.node if isinstance(result, Traced) else graph.number(float(result))
+        if isinstance(result, tuple) and not graph.roots:
+            node = graph.other("pair", [*map(graph.of, result)])
+        else:
+            node = result.node if isinstance(result, Traced) else graph.number(float(result))
     except (TypeError, ValueError, AttributeError):
         return None
     if node.logical:

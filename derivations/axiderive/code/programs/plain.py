@@ -149,19 +149,22 @@ class Lines:
         return text
 
     def _loop(self, node: Node, path: Path) -> list[str]:
-        stop, width, variable, summand = node.operands
+        """The loop of a sum, and of those that have the same variable."""
+        stop, width, variable, _ = node.operands
         name = self.rules.setdefault(node.value, f"RULE_{len(self.rules)}")
-        inner = [
-            f"v{variable.order} = node * {self.of(stop)}",
-            *self._assigned(path, node, node),
-            f"v{node.order}.append(weight * {self.of(summand)})",
-        ]
+        sums = [x for x in self.nodes if is_sum(x) and x.operands[2] is variable and self.paths[x] == path]
+        self.written.update(sums)
+        inner = [f"v{variable.order} = node * {self.of(stop)}", *self._assigned(path, node, variable)]
+        inner += [f"v{x.order}.append(weight * {self.of(x.operands[3])})" for x in sums]
+        loop = [f"for node, weight in {name}({self.of(stop)} / {self.of(width)}):", *(f"    {line}" for line in inner)]
+        if len(sums) > 1:
+            # paths of no length are common among those of pairs
+            loop = [f"if abs({self.of(stop)}) > 0.0:", *(f"    {line}" for line in loop)]
         # summed one by one the 64 nodes of a power lose 3 units, which a pressure next to its zero takes up
         return [
-            f"v{node.order} = []",
-            f"for node, weight in {name}({self.of(stop)} / {self.of(width)}):",
-            *(f"    {line}" for line in inner),
-            f"v{node.order} = fsum(v{node.order}) * {self.of(stop)}",
+            *(f"v{x.order} = []" for x in sums),
+            *loop,
+            *(f"v{x.order} = fsum(v{x.order}) * {self.of(stop)}" for x in sums),
         ]
 
     def _returned(self, node: Node, path: Path, certain: bool) -> list[str]:
@@ -203,6 +206,8 @@ class Lines:
         if node.name == "number":
             return f"({node.value!r})" if float(node.value) < 0.0 else repr(node.value)
         operands = [self.of(x) for x in node.operands]
+        if node.name == "pair":
+            return f"({', '.join(operands)})"
         if node.name == "where":
             return f"({operands[1]} if {operands[0]} else {operands[2]})"
         if _is_square(node):
@@ -236,12 +241,12 @@ def is_sum(node: Node) -> bool:
 
 
 def loops(nodes: list[Node]) -> dict[Node, Node]:
-    """The integral inside which a node changes, for those that do."""
+    """The variable of the integral inside which a node changes, for those that do."""
     found: dict[Node, Node] = {}
-    sums = {node.operands[2]: node for node in nodes if is_sum(node)}
+    variables = {node.operands[2] for node in nodes if is_sum(node)}
     for node in nodes:
-        if node in sums:
-            found[node] = sums[node]
+        if node in variables:
+            found[node] = node
         elif not is_sum(node) and (inside := [found[x] for x in node.operands if x in found]):
             found[node] = inside[0]
     return found
