@@ -60,6 +60,8 @@ MORE = {
     **{"beta": 0.02, "G": 1.1, "z": 0.25, "M": 0.05},
     **{"A": 0.7, "n": 2.6, "h": 0.2, "a": 0.9},
 }
+WIDE = {"r": (0.02, 4.0), "x": (0.02, 4.0)}
+"""Of places between what a field is inside, near the edge, and outside."""
 RARE, MOST, RULE = 2e-3, 8.0, 1e-13
 """The share of values that may differ by more than 4 units of the last place, what none may exceed, and what sums and
 iterates may differ by.
@@ -89,7 +91,8 @@ def drawn(name: str, function: Callable[..., Any], dice: np.random.Generator) ->
     known = MORE | NUMBERS | FIELDS | PARAMETERS.get(name, {})
     kinds = [one for one in inspect.signature(function).parameters.values() if one.name != "control"]
     named = {one.name: known[one.name] for one in kinds if one.kind is one.KEYWORD_ONLY}
-    fields = {one.name: known[one.name] * dice.uniform(0.75, 1.2) for one in kinds if one.name not in named}
+    fields = {one.name: known[one.name] * dice.uniform(*WIDE.get(one.name, (0.75, 1.2)))
+              for one in kinds if one.name not in named}  # fmt: skip
     if {"a", "c"} <= fields.keys():
         fields["c"] = min(fields["c"], 0.95 * fields["a"])
     return fields, named
@@ -109,14 +112,20 @@ def asked(group: str, name: str) -> list[Asked]:
     return found
 
 
+@functools.cache
+def _public(module: str, own: str) -> tuple[Callable[..., Any], list[str], list[str]]:
+    """A function of the package, the names of its fields and those of its parameters."""
+    function = getattr(import_module(f"axicontact.{module}"), own)
+    kinds = inspect.signature(function).parameters
+    fields = [name for name, kind in kinds.items() if kind.kind is not kind.KEYWORD_ONLY and name != "control"]
+    return function, fields, [name for name, kind in kinds.items() if kind.kind is kind.KEYWORD_ONLY]
+
+
 def here(one: Asked, given: dict[str, Any]) -> float:
     """What the package gives; what it refuses is no number in other languages."""
-    function = getattr(import_module(f"axicontact.{one.module}"), one.function)
-    kinds = inspect.signature(function).parameters
-    fields = [given[own] for own, kind in kinds.items() if kind.kind is not kind.KEYWORD_ONLY and own != "control"]
-    named = {own: given[own] for own, kind in kinds.items() if kind.kind is kind.KEYWORD_ONLY}
+    function, fields, named = _public(one.module, one.function)
     try:
-        value = function(*one.held.values(), *fields, **named)
+        value = function(*one.held.values(), *(given[own] for own in fields), **{own: given[own] for own in named})
     except ValueError:
         return math.nan
     return float(getattr(value, one.part) if one.part else value)
@@ -194,6 +203,7 @@ EVERY = [
     for spoken, marks, first in [(one.values[0], one.marks, ("javascript", "c")[i % 2]) for one in SPOKEN]
 ]
 """Each group in every language; in a plain run they come in turn."""
+EACH = [(group, name) for group in (*GROUPS, *GRADED) for name in import_module(f"axicontact.{group}").__all__]
 Row = tuple[Asked, float, float, float]
 """A function, its value here and there, and the size that errors are measured by."""
 
@@ -209,23 +219,33 @@ def translated(language: str, group: str, name: str) -> tuple[InC | InJavaScript
     return file, found
 
 
-def compared(package: Package, language: str, group: str, name: str, count: int) -> list[Row]:
+@functools.lru_cache(maxsize=80)
+def in_python(group: str, name: str, of: str, count: int) -> tuple[list[list[Any]], list[float], list[float]]:
+    """Drawn arguments of a function, the values of the package there, and the size that errors are measured by."""
+    one = next(one for one in asked(group, name) if one.name == of)
+    function, fields, names = _public(one.module, one.function)
+    order, dice = one.arguments(committed()), np.random.default_rng(5)
+    cases = [drawn(name, function, dice) for _ in range(count if order else 1)]
+    values = [here(one, given | named) for given, named in cases]
+    sizes: np.ndarray = np.abs(values)
+    if not one.part:
+        arrays, named = [np.array([given[own] for given, _ in cases]) for own in fields], cases[0][1]
+        plain = size(f"{name}.{one.function}", group, fields, {own: named[own] for own in names}, *arrays)
+        sizes = np.fmax(sizes, plain)
+    return [[(given | named)[own] for own in order] for given, named in cases], values, sizes.tolist()
+
+
+def compared(language: str, group: str, name: str, count: int) -> list[Row]:
     """Of drawn arguments."""
     file, functions = translated(language, group, name)
-    dice, found, jobs = np.random.default_rng(5), [], list[Job]()
+    found, jobs = list[tuple[Asked, float, float]](), list[Job]()
     for one in functions:
-        function = getattr(import_module(f"axicontact.{group}.{name}"), one.function)
-        order = one.arguments(package)
-        for _ in range(count if order else 1):
-            fields, named = drawn(name, function, dice)
-            value = here(one, fields | named)
-            parted = 0.0 if one.part else float(np.max(size(f"{name}.{one.function}", group, list(fields), named,
-                                                            *fields.values())))  # fmt: skip
-            found.append((one, value, max(abs(value), parted)))
-            jobs.append((one.name, [(fields | named)[own] for own in order]))
+        given, values, sizes = in_python(group, name, one.name, count)
+        found += [(one, value, scale) for value, scale in zip(values, sizes, strict=True)]
+        jobs += [(one.name, own) for own in given]
     there = file.run(jobs)
     assert len(there) == len(found)
-    return [(own, known, value, scale) for (own, known, scale), value in zip(found, there, strict=True)]
+    return [(own, value, other, scale) for (own, value, scale), other in zip(found, there, strict=True)]
 
 
 @functools.cache
@@ -257,16 +277,25 @@ def judged(rows: Iterable[Row]) -> tuple[list[str], list[str], int]:
 
 
 @pytest.mark.parametrize(("language", "group"), EVERY)
-@pytest.mark.parametrize(
-    "count", [8, pytest.param(400, marks=pytest.mark.slow), pytest.param(10_000, marks=pytest.mark.sweep)]
-)
-def test_programs_give_the_numbers_of_the_package(package: Package, language: str, group: str, count: int) -> None:
+@pytest.mark.parametrize("count", [8, pytest.param(400, marks=pytest.mark.slow)])
+def test_programs_give_the_numbers_of_the_package(language: str, group: str, count: int) -> None:
     names = [own for own in import_module(f"axicontact.{group}").__all__ if count > 8 or own in FEW]
-    rows = [row for name in names for row in compared(package, language, group, name, count)]
-    worst, beyond, total = judged(rows)
+    worst, beyond, total = judged(row for name in names for row in compared(language, group, name, count))
     assert total >= count
     assert not worst, "\n".join(worst)
     assert len(beyond) <= RARE * total + 1, f"{len(beyond)} of {total} values differ by more than 4 units"
+
+
+@pytest.mark.sweep
+@pytest.mark.skipif(not (NODE and shutil.which("cc")), reason="no node 18 or later, or no C compiler")
+@pytest.mark.parametrize(("group", "name"), EACH)
+def test_ten_thousand_points_of_every_function(group: str, name: str) -> None:
+    """In every language, beside the same values of the package."""
+    judgements = [judged(compared(language, group, name, 10_000)) for language in LANGUAGES]
+    worst = [told for wrong, _, _ in judgements for told in wrong]
+    assert not worst, f"{len(worst)} values\n" + "\n".join(worst[:20])
+    for _, beyond, total in judgements:
+        assert len(beyond) <= RARE * total + 1, f"{len(beyond)} of {total} values differ by more than 4 units"
 
 
 ENDS = (0.0, -1.0, math.nan, math.inf, 1e-40)
