@@ -14,6 +14,7 @@ from typing import TypeVar
 
 from .public import FORMULAS, PROGRAMS
 from .reach import PLAIN, PRODUCTS, Module, Name, NoProgramError, Package
+from .searches import OWN, RADII, SAMPLES, radii, springs
 
 Part = TypeVar("Part")
 HELPERS = Path(__file__).with_name("numbers.js")
@@ -139,7 +140,28 @@ class Script:
             return "math.products"
         if home == PLAIN and own in _helpers():
             return f"math.{own}"
+        if (home, own) in OWN:
+            return self._own(there, own)
         return self._take(found, there, self.package.bound(there, own))
+
+    def _own(self, module: Module, name: str) -> str:
+        """What goes over arrays in Python: a function of the helpers, over a table of the module."""
+        if name in RADII:
+            values = f"[{', '.join(map(repr, radii(module.text, name)))}]"
+            text = f"(length = 1.0) => {values}.map((x) => x * length)"
+        elif name == "springs":
+            pairs, under = springs(module.text)
+            values = ", ".join(f"[{x!r}, {weight!r}]" for x, weight in pairs)
+            text = f"math.springs([{values}], {under!r})"
+        elif name == "branches":
+            text = f"math.branches({self.named(module, '_change')}, {self.named(module, 'FAR')})"
+        else:
+            return f"math.{name}"
+        key = (module.name, name)
+        if key not in self.texts:
+            self.names[key] = self._free(key)
+            self.texts[key] = f"const {self.names[key]} = {text};\n"
+        return self.names[key]
 
     def signature(self, module: Module, function: ast.expr) -> ast.arguments | None:
         """The arguments of a function that a call names; None where it is a value."""
@@ -359,6 +381,12 @@ class Printer:
             return "false"
         if isinstance(function, ast.Name) and function.id == "isinstance":
             return f'(typeof {self.expr(node.args[0])} === "number")'
+        if isinstance(function, ast.Name) and function.id == "getattr":
+            return f"{self.expr(node.args[0])}[{self.expr(node.args[1])}]"
+        if isinstance(function, ast.Name) and function.id == SAMPLES:
+            return f"{{ radii: {self.expr(node.args[0])}, end: {self.expr(node.args[2])} }}"
+        if isinstance(function, ast.Attribute) and function.attr == "item":
+            return self.expr(function.value)
         if isinstance(function, ast.Attribute) and function.attr == "append":
             return f"{self.expr(function.value)}.push({', '.join(map(self.expr, node.args))})"
         given = list(map(self.expr, node.args))
@@ -379,7 +407,7 @@ class Printer:
         signature = inner or self.script.signature(self.module, node.func)
         named = {str(keyword.arg): self.expr(keyword.value) for keyword in node.keywords}
         if signature is None:
-            if named.keys() <= {"dtype", "otypes", "initial"}:
+            if named.keys() <= {"dtype", "otypes", "initial", "strict"}:
                 return given
             raise _missing(self.module, ast.unparse(node))
         if signature.vararg:

@@ -139,6 +139,8 @@ class Calls(Expressions):
         match name:
             case "hasattr":
                 return False
+            case "getattr":
+                return given[0].fields[given[1]]
             case "len":
                 return len(self._items(given[0], scope))
             case "range":
@@ -221,8 +223,10 @@ class Calls(Expressions):
     def _frexp(self, value: Value) -> Value:
         if not isinstance(value, Number):
             return math.frexp(value)
-        power, share = self.variable("power", "int"), self.variable("share", "double")
-        self.emit(f"{share.text} = frexp({value.text}, &{power.text});", None, share.names | power.names | value.names)
+        x = number_of(value)
+        share, power = self.variable("share", "double"), self.variable("power", "int")
+        self.set(share, Number(f"share_of({x.text})", "double", 9, x.names))
+        self.set(power, Number(f"power_of({x.text})", "int", 9, x.names))
         return share, power
 
     def _sum(self, name: str, given: Sequence[Value], scope: Scope) -> Value:

@@ -11,6 +11,7 @@ from typing import Any
 
 from ..public import FORMULAS, PROGRAMS
 from ..reach import PLAIN, PRODUCTS
+from ..searches import OWN
 from .lines import Lines
 from .natives import CONSTANTS, NATIVES
 from .values import (
@@ -137,6 +138,8 @@ class Expressions(Lines):
             return NATIVES.get(own) or Native(own)
         if (home, own) == PRODUCTS:
             return Native("products")
+        if (home, own) in OWN:
+            return NATIVES.get(own) or Native(OWN[home, own])
         there = package.module(home)
         if there is None:
             raise missing(scope, name)

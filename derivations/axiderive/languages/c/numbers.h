@@ -8,6 +8,41 @@ static inline double maximum(double x, double y) { return x > y || x != x ? x : 
 static inline double lower(double x, double y) { return y < x ? y : x; }
 static inline double higher(double x, double y) { return y > x ? y : x; }
 
+/* a number as a share, from a half on and below one, times a power of two */
+static inline double share_of(double x)
+{
+  int power;
+  return frexp(x, &power);
+}
+static inline int power_of(double x)
+{
+  int power;
+  (void)frexp(x, &power);
+  return power;
+}
+
+/* the number in the middle of all between two positive ones */
+static inline double halfway(double low, double high)
+{
+  union { double number; long long bits; } first, second;
+  first.number = low;
+  second.number = high;
+  first.bits += (second.bits - first.bits) / 2;
+  return first.number;
+}
+
+/* whole waves within a reach, and radii around them in units of their length: decades, sixteen in each wave, decades */
+static inline int waves_within(double reach)
+{
+  return isfinite(reach) && reach > 4.0 ? (int)(reach < 4096.0 ? reach : 4096.0) : 4;
+}
+static inline double radius_of_waves(int place, int waves)
+{
+  if (place < 15)
+    return pow(10.0, 10.0 * place - 150.0);
+  return place < 16 * waves + 15 ? (place - 14) / 16.0 : (waves + 1.0) * pow(10.0, 10.0 * (place - 16 * waves - 15));
+}
+
 /* a sum that is exact before it is rounded: parts that do not overlap, the smallest first */
 struct sum {
   int count;

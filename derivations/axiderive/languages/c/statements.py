@@ -8,8 +8,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from ..reach import PLAIN, NoProgramError
-from .calls import Calls
 from .lines import declared, inside
+from .walks import Found, Walks
 from .values import (
     Closure,
     Counted,
@@ -30,7 +30,7 @@ SPELLED = 32
 """Turns of a loop that are written out, at most."""
 
 
-class Writer(Calls):
+class Writer(Walks):
     """Writes one function of C."""
 
     def whole(self, closure: Closure, given: Sequence[Value], name: str, returns: str, part: str = "") -> Text:
@@ -204,6 +204,11 @@ class Writer(Calls):
             self.divide(scope, body, loop=True)
             node, weight = self._start_rule(iterated)
             self._loop(body, scope, lambda: self.assign(target, (node, weight), scope))
+        elif isinstance(iterated, Found):
+            self.divide(scope, body, loop=True)
+            scope.loops.append("")
+            self.each_branch(iterated, scope, lambda *ends: self._look(target, ends, body, scope))
+            scope.loops.pop()
         elif isinstance(iterated, Counted) or (isinstance(iterated, range) and len(iterated) > SPELLED):
             self.divide(scope, body, loop=True)
             own = self.variable(ast.unparse(target), "int")
@@ -215,6 +220,10 @@ class Writer(Calls):
             self._loop(body, scope, lambda: self.assign(target, own, scope))
         else:
             self._turns(target, self._items(iterated, scope), body, scope)
+
+    def _look(self, target: ast.expr, ends: tuple[Number, ...], body: Sequence[ast.stmt], scope: Scope) -> None:
+        self.assign(target, ends, scope)
+        self.block(body, scope)
 
     def _loop(self, body: Sequence[ast.stmt], scope: Scope, begin: Callable[[], None]) -> None:
         scope.loops.append("")
