@@ -209,7 +209,7 @@ class Printer:
         if isinstance(node, ast.ClassDef):
             fields = _fields(node)
             given = [own + (f" = {self.expr(value)}" if value else "") for own, value in fields.items()]
-            return f"const {name} = ({', '.join(given)}) => ({{{', '.join(fields)}}});\n"
+            return f"const {name} = ({', '.join(given)}) => math.record({{ {', '.join(fields)} }});\n"
         assert isinstance(node, ast.Assign | ast.AnnAssign) and node.value
         return f"const {name} = {self.expr(node.value)};\n"
 
@@ -383,8 +383,13 @@ class Printer:
             return f'(typeof {self.expr(node.args[0])} === "number")'
         if isinstance(function, ast.Name) and function.id == "getattr":
             return f"{self.expr(node.args[0])}[{self.expr(node.args[1])}]"
+        if isinstance(function, ast.Name) and function.id == "partial":
+            return self._partial(node)
         if isinstance(function, ast.Name) and function.id == SAMPLES:
-            return f"{{ radii: {self.expr(node.args[0])}, end: {self.expr(node.args[2])} }}"
+            return f"({{ radii: {self.expr(node.args[0])}, end: {self.expr(node.args[2])} }})"
+        if isinstance(function, ast.Attribute) and function.attr == "_replace":
+            changes = ", ".join(f"{own.arg}: {self.expr(own.value)}" for own in node.keywords)
+            return f"math.replaced({self.expr(function.value)}, {{ {changes} }})"
         if isinstance(function, ast.Attribute) and function.attr == "item":
             return self.expr(function.value)
         if isinstance(function, ast.Attribute) and function.attr == "append":
@@ -393,6 +398,18 @@ class Printer:
         if node.keywords:
             given = self._ordered(node, given)
         return f"{self.expr(function)}({', '.join(given)})"
+
+    def _partial(self, node: ast.Call) -> str:
+        """A function of what is left of the arguments of another."""
+        (function,) = node.args
+        signature = self.script.signature(self.module, function)
+        if signature is None:
+            raise _missing(self.module, ast.unparse(node))
+        held = {str(keyword.arg): self.expr(keyword.value) for keyword in node.keywords}
+        names = _arguments(signature)
+        left = [_word(name) for name in names if name not in held]
+        given = ", ".join(held.get(name, _word(name)) for name in names)
+        return f"(({', '.join(left)}) => {self.expr(function)}({given}))"
 
     def _ordered(self, node: ast.Call, given: list[str]) -> list[str]:
         """Arguments by name at their places."""

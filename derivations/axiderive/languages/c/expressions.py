@@ -17,6 +17,7 @@ from .natives import CONSTANTS, NATIVES
 from .values import (
     Closure,
     Each,
+    Latest,
     Native,
     Number,
     Record,
@@ -134,7 +135,7 @@ class Expressions(Lines):
             return Whole("numpy" if (home, own) == (PLAIN, "MATH") else home)
         if home in ("math", "numpy"):
             return self._of_numpy(own, scope)
-        if home == PLAIN and own in ("rule", "_pairs", "gauss_legendre", "sqrt", "log", "log1p"):
+        if home == PLAIN and own in ("rule", "_pairs", "both", "gauss_legendre", "sqrt", "log", "log1p"):
             return NATIVES.get(own) or Native(own)
         if (home, own) == PRODUCTS:
             return Native("products")
@@ -306,6 +307,8 @@ class Expressions(Lines):
             ends = [None if one is None else self.expr(one, scope) for one in (place.lower, place.upper, place.step)]
             return self._items(value, scope)[slice(*ends)]
         index = self.expr(place, scope)
+        if isinstance(value, Latest) and index == -1:
+            return value.item
         if isinstance(index, Number) or not isinstance(value, tuple | list | range | dict):
             raise missing(scope, f"part {ast.unparse(place)} of something")
         return value[index]

@@ -13,6 +13,7 @@ from .walks import Found, Walks
 from .values import (
     Closure,
     Counted,
+    Latest,
     Number,
     Over,
     Record,
@@ -21,6 +22,8 @@ from .values import (
     Text,
     Value,
     is_number,
+    kind_of,
+    mapped,
     missing,
     names_of,
     number_of,
@@ -168,6 +171,9 @@ class Writer(Walks):
         return held
 
     def _append(self, scope: Scope, name: str, value: Value) -> None:
+        if name not in scope.names:
+            self._append_outside(scope, name, value)
+            return
         known = scope.names[name]
         if isinstance(known, list) and not scope.divided:
             known.append(value)
@@ -175,6 +181,20 @@ class Writer(Walks):
         if not (isinstance(known, Number) and known.kind == "sum"):
             raise missing(scope, f"{name}.append")
         self.add_to(known, value)
+
+    def _append_outside(self, scope: Scope, name: str, value: Value) -> None:
+        """What a function leaves in a list of the one around it, of which that may ask for the last item."""
+        home = scope.around
+        while home is not None and name not in home.names:
+            home = home.around
+        known = home.names[name] if home else None
+        if home is None or not (known == [] or isinstance(known, Latest)):
+            raise missing(scope, f"{name}.append")
+        if isinstance(known, Latest):
+            mapped(known.item, self.set, value)
+        else:
+            home.names[name] = Latest(mapped(value, lambda one, _: self.variable(name, kind_of(one)), value))
+            mapped(home.names[name].item, self.set, value)
 
     def _if(self, test: Value, body: Sequence[ast.stmt], orelse: Sequence[ast.stmt], scope: Scope) -> None:
         if not isinstance(test, Number):
