@@ -13,10 +13,12 @@ import sympy as sp
 
 from .. import notation as nt
 from ..book.spread import problems_of
-from ..entry import Entry
+from ..entry import Entry, Quantity
 from ..languages.javascript import Script
 from ..languages.reach import NoProgramError, Package
 from ..letters import name_of
+from ..physics.adhesive import CONTROLS
+from ..physics.medium import Medium
 from ..physics.systems import Problem, pool_of
 from ..worked.cases import CASES, Case
 
@@ -25,33 +27,38 @@ STATE = ("F", "P", "d", "a")
 """What a contact is given by, first what a calculator asks for if nothing is said."""
 ALONE = {
     **{"E_star": 3.3e6, "p_0": 1e6, "a": 1e-3, "sigma": 0.5, "F": 10.0},
-    **{"mu": 0.3, "dgamma": 0.05, "L": 0.05, "e": 2e-4},
+    **{"mu": 0.3, "dgamma": 0.05, "L": 0.05, "e": 2e-4, "H": 5e7, "k": 0.3, "H_x": 3e7},
 }
 """Values to begin with where no worked example has any."""
+STATE_NAMES = "radius", "force", "depth"
+"""What a function of pull-off gives, in the order of the keys of its rows."""
 SAID = {"E": "Young's modulus of an elastic body under a rigid one, in place of E*", "nu": "its Poisson ratio"}
 SIGNS = {"E": "E"}
-LAST = ("E_star", "E", "nu", "G_star", "mu", "dgamma", "r", "x", "c", "F_x", "L")
+LAST = ("E_star", "E", "nu", "G_star", "H", "k", "H_x", "mu", "dgamma", "r", "x", "c", "F_x", "L")
 """Behind the lengths of the profile: the material, and where a field is asked for."""
 
 
 def calculator(profile_id: str, derived: Derived, package: Package) -> str | None:
-    """The script of the calculator of a profile on the homogeneous half-space; None where nothing can be calculated."""
+    """The script of the calculator of a profile; None where nothing can be calculated.
+
+    On a half-space the contact without adhesion says which depth, force and radius belong together.
+    """
     script = Script(package)
     formulas: dict[str, dict[str, object]] = {}
-    lines, needed = [], dict[str, nt.Notation]()
+    lines, needed, media = [], dict[str, nt.Notation](), list[Medium]()
     problems = [problem for problem in problems_of(profile_id) if _instant(problem) and problem.key in derived]
     for problem in problems:
         module = problem.module.removeprefix("axicontact/").removesuffix(".py").replace("/", ".")
+        first, medium = problem.system.medium not in media, problem.system.medium
+        media += [medium] * first
         for suffix, entry in derived[problem.key].items():
             quantity = entry.quantity
             row = entry.key.removeprefix(f"{profile_id}.")
-            if quantity.member or quantity.control:
-                continue
             try:
                 name = script.add(module, quantity.function)
             except NoProgramError:
                 continue
-            order = package.arguments(module, quantity.function)
+            order = [one for one in package.arguments(module, quantity.function) if one != "control"]
             records = {name_of(s): nt.describe(s) for s in (*quantity.arguments, *entry.parameters)}
             needed |= {letter: records.get(letter) or nt.describe(letter) for letter in order}
             formulas[row] = {
@@ -59,9 +66,10 @@ def calculator(profile_id: str, derived: Derived, package: Package) -> str | Non
                 "needs": order,
                 "unit": nt.describe(quantity.symbol).unit,
                 "place": quantity.place,
-                "suffix": suffix if problem is problems[0] else "",
+                "suffix": suffix if first and not quantity.member else "",
+                "medium": media.index(medium),
             }
-            lines.append(f"  {json.dumps(row)}: (v) => {name}({', '.join(f'v.{one}' for one in order)}),")
+            lines.append(f"  {json.dumps(row)}: (v) => {_call(name, order, quantity)},")
     if not formulas:
         return None
     given = CASES.get(profile_id)
@@ -85,13 +93,22 @@ def calculator(profile_id: str, derived: Derived, package: Package) -> str | Non
     ])  # fmt: skip
 
 
+def _call(name: str, order: Sequence[str], quantity: Quantity) -> str:
+    """The call of a program, or one of the numbers that it gives."""
+    given = ", ".join([*([repr(quantity.control)] if quantity.control else []), *(f"v.{one}" for one in order)])
+    part = quantity.member
+    if quantity.control:
+        part = STATE_NAMES[CONTROLS[quantity.control].index(quantity.suffix)]
+    return f"({name}({given}).{part} ?? NaN)" if part else f"{name}({given})"
+
+
 def _first(field: tuple[str, nt.Notation]) -> int:
     return LAST.index(field[0]) if field[0] in LAST else -1
 
 
 def _instant(problem: Problem) -> bool:
-    """Whether its functions are of lengths and loads alone, on the homogeneous half-space."""
-    return not (problem.system.medium.graded or problem.system.physics.laws) and problem.system.physics.printed
+    """Whether its functions are of lengths and loads alone, without a history."""
+    return not problem.system.physics.laws and problem.system.physics.printed
 
 
 def _field(letter: str, record: nt.Notation, case: Case | None) -> dict[str, object]:

@@ -242,7 +242,7 @@ class Calls(Expressions):
             return Number(f"sum_of(&{terms.text})", "double", 9, terms.names)
         if isinstance(terms, Each):
             total = self.variable("total", "sum")
-            self.emit(f"{total.text}.count = 0;", None, total.names)
+            self.emit(f"{total.text}.high = {total.text}.low = 0.0;", None, total.names)
             inner = Scope(terms.scope.module, terms.scope)
             node, weight = self._start_rule(terms.pairs)
             self._name(terms.loop.target, (node, weight), inner)
@@ -259,7 +259,7 @@ class Calls(Expressions):
         if not any(isinstance(one, Number) for one in items):
             return math.fsum(items)
         total = self.variable("total", "sum")
-        self.emit(f"{total.text}.count = 0;", None, total.names)
+        self.emit(f"{total.text}.high = {total.text}.low = 0.0;", None, total.names)
         for item in items:
             self.add_to(total, item)
         return Number(f"sum_of(&{total.text})", "double", 9, total.names)
@@ -301,7 +301,7 @@ class Calls(Expressions):
         self.emit(f"{nodes.text}.panels = {panels.text};", None, nodes.names | panels.names)
         totals = [self.variable("total", "sum") for _ in range(2)]
         for total in totals:
-            self.emit(f"{total.text}.count = 0;", None, total.names)
+            self.emit(f"{total.text}.high = {total.text}.low = 0.0;", None, total.names)
         node, weight = self._start_rule(nodes)
         self.depth += 1
         scope.divided += 1

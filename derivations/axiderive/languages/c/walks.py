@@ -208,7 +208,7 @@ class Walks(Calls):
         self.set(start, low)
         self.set(length, self._arithmetic(ast.Sub(), high, start, scope))
         self.set(first, self.call(left, [start], {}, scope))
-        self.emit(f"{total.text}.count = 0;", None, total.names)
+        self.emit(f"{total.text}.high = {total.text}.low = 0.0;", None, total.names)
         self.emit(f"for ({place.text} = 0; {place.text} < {len(pairs)}; {place.text}++) {{", None, place.names)
         self.depth += 1
         scope.divided += 1
