@@ -39,7 +39,7 @@ def _node() -> str | None:
 
 
 NODE = _node()
-GROUPS = ("normal", "adhesive", "tangential", "torsion", "viscoelastic", "plane", "loads")
+GROUPS = ("normal", "adhesive", "tangential", "torsion", "viscoelastic", "plane", "loads", "cohesive")
 GRADED = ("graded.normal", "graded.adhesive", "graded.tangential")
 FEW = {
     "cone",
@@ -69,6 +69,8 @@ iterates may differ by.
 The functions of `math` differ in the last place, and a power of the time, or a difference of two parts, makes more of
 that.
 """
+WAVES = 12.0
+"""The same beside waves: a unit of the radius moves a displacement by ten there, and 10 were the most of 1e4."""
 SUMS = re.compile(r"\b(for|while) \(|math\.(rule|in_groups|integral|products|fsum|sum|reduce)\b")
 """In what a function needs, where it sums or iterates."""
 
@@ -269,7 +271,7 @@ def judged(rows: Iterable[Row]) -> tuple[list[str], list[str], int]:
         told = f"{own.module}.{own.name}: {there!r} for {known!r}, {error:.3g} units"
         if sums(own.module, own.function):
             worst += [told] * (not abs(known - there) <= RULE * scale)
-        elif not error <= MOST:
+        elif not error <= (WAVES if own.module.endswith("wavy_paraboloid") else MOST):
             worst.append(told)
         else:
             beyond.append(told)
@@ -364,37 +366,33 @@ def test_what_has_no_program_is_refused(package: Package) -> None:
     before = script.text()
     with pytest.raises(NoProgramError, match=r"adhesive\.cone has no function pulled_off"):
         script.add("adhesive.cone", "pulled_off")
-    with pytest.raises(NoProgramError, match="no counterpart"):
-        script.add("adhesive.gaussian", "radius_from_depth")
     # whose check calls what its own module has
-    with pytest.raises(NoProgramError, match="no counterpart"):
+    with pytest.raises(NoProgramError, match="complex paths"):
         script.add("graded.adhesive.wavy_paraboloid", "depth")
+    with pytest.raises(NoProgramError, match="solved over arrays"):
+        script.add("layer.cone", "force")
     assert script.text() == before
 
 
-SEARCHED = ("pull_off", "radius_from_depth", "radius_from_force", "work_of_adhesion_from_pull_off")
-LACKING = {("adhesive", own) for own in SEARCHED} | {
-    ("viscoelastic", f"{way}_force_{law}")
-    for way in ("ramp", "retract")
-    for law in ("maxwell", "standard_solid", "power_creep")
-}
-"""Branches that are looked for on a grid, and integrals over what another integral begins with."""
-MISSING = 60, 195
-"""How many of these there are, of few profiles and of all: radii, six numbers of pull-off, works of adhesion, forces of
-three laws."""
+STATES = ("pull_off", "radius_from_depth", "radius_from_force")
+"""Of cohesive zones what is looked for in lists of states, which C has not."""
+
+
+def lacking(language: str, one: Asked) -> bool:
+    """Whether a function has no program in a language: waves on the graded half-space, and these."""
+    waves = one.module.startswith("graded.") and one.module.endswith(".wavy_paraboloid")
+    return waves or (language == "c" and one.module.startswith("cohesive.") and one.function in STATES)
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
 @pytest.mark.parametrize("every", [False, pytest.param(True, marks=pytest.mark.slow)])
-def test_what_is_a_program_is_one_in_other_languages(package: Package, language: str, every: bool) -> None:
-    missing = []
-    for group in GROUPS:
+def test_what_is_a_program_is_one_in_other_languages(language: str, every: bool) -> None:
+    for group in (*GROUPS, *GRADED) if every else GROUPS:
         for name in import_module(f"axicontact.{group}").__all__:
             if every or name in FEW:
                 _, known = translated(language, group, name)
-                missing += [(group, one.function) for one in asked(group, name) if one not in known]
-    assert set(missing) <= LACKING
-    assert len(missing) == MISSING[every]
+                for one in asked(group, name):
+                    assert (one in known) is not lacking(language, one), one
 
 
 SMALL = """

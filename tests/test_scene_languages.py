@@ -72,19 +72,24 @@ def test_a_file_holds_what_its_functions_need():
     assert "double pressure(double r, double a)" in text
 
 
-BELOW = 'profile = "cone"\n[medium]\nE = "3 GPa"\nnu = 0.3\n[physics]\nsubsurface = true\n[want]\nquantities = ["stress"]\n'
+BELOW = CONE + '[physics]\nsubsurface = true\n[want]\nquantities = ["stress"]\n'
 SHEET = CONE.replace("nu = 0.3", 'nu = 0.3\n[physics]\nlayer = { thickness = "2 mm" }')
+
+
 @pytest.mark.parametrize("language", TOOLS)
 @pytest.mark.parametrize(
     ("source", "told"),
     [
         (BELOW, "stress: .* one: pressure of normal contact"),
-        (SHEET, "depth, force, pressure: .* one: depth of normal contact, force of normal contact, pressure of "
-         "normal contact"),  # fmt: skip
+        (
+            SHEET,
+            "depth, force, pressure: .* one: depth of normal contact, force of normal contact, pressure of "
+            "normal contact",
+        ),  # fmt: skip
     ],
 )
 def test_what_has_no_program_names_the_nearest_that_has_one(language, source, told):
-    with pytest.raises(CommandError, match=f'{told}$'):
+    with pytest.raises(CommandError, match=f"{told}$"):
         composed_from(source + FORMATS.format(language, language))
 
 

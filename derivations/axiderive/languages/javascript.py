@@ -48,6 +48,8 @@ OF_PYTHON = {
 """Names of Python itself."""
 RULED = re.compile(r"math\.(rule|in_groups|integral|products)")
 """What needs the nodes of the rules."""
+KEPT = "cache", "Kept"
+"""Decorators of what is kept for the geometries of the last calls."""
 WORDS = frozenset(("default", "function", "var", "const", "new", "this", "delete", "switch", "case", "void", "enum"))
 """Names that mean something else here."""
 SIGNS = {
@@ -203,7 +205,9 @@ class Printer:
             for decorator in map(ast.unparse, node.decorator_list):
                 if decorator in _helpers():
                     text = f"math.{decorator}({text})"
-                elif decorator.partition("(")[0] not in ("cache", "Kept", "at_many_radii", "over_radii"):
+                elif decorator in KEPT:
+                    text = f"math.kept({text})"
+                elif decorator.partition("(")[0] not in ("at_many_radii", "over_radii"):
                     raise _missing(self.module, decorator)
             return f"const {name} = {text};\n"
         if isinstance(node, ast.ClassDef):
@@ -490,7 +494,7 @@ def _constant(value: object, module: Module) -> str:
 def _reserved() -> frozenset[str]:
     """The names that a file has besides."""
     return frozenset(
-        ("HALVES", "functions", "formulas", *re.findall(r"^const (\w+)", HELPERS.read_text(), re.MULTILINE))
+        ("HALVES", "functions", "formulas", "once", *re.findall(r"^const (\w+)", HELPERS.read_text(), re.MULTILINE))
     )
 
 

@@ -100,20 +100,35 @@ const math = {
     const inner = [...math.range(15).map((place) => Math.pow(10.0, 10 * place - 150)), ...math.range(1, 16 * waves + 1).map((x) => x / 16.0)];
     return [...inner, ...math.range(10).map((place) => (waves + 1.0) * Math.pow(10.0, 10 * place))].map((x) => x * length);
   },
-  // the branches on which a steepness is above a level, each end refined where the sign changes between two radii
-  branches: (change, far) => (steepness, { radii, end }, level) => {
+  // what was found for the last arguments
+  kept: (of) => {
+    const known = new Map();
+    return (...given) => {
+      const key = given.join();
+      if (known.size > 99) known.clear();
+      if (!known.has(key)) known.set(key, of(...given));
+      return known.get(key);
+    };
+  },
+  // the branches on which a steepness is above a level, each end refined where the sign changes between two radii; what
+  // was sampled is that of a geometry, and keeps what was found in it
+  branches: (change, far) => (steepness, sampled, level) => {
+    const { radii, end } = sampled;
+    const steep = (sampled.steep ??= radii.map((a) => steepness(a)));
+    sampled.found ??= math.kept((level) => math.searched(change, far, steepness, radii, steep, end, level));
+    return sampled.found(level);
+  },
+  searched: (change, far, steepness, radii, steep, end, level) => {
     const above = (a) => Math.log(steepness(a) / level);
     const [first, last] = [[], []];
-    let before = steepness(radii[0]);
-    if (before >= level) first.push(radii[0]);
+    if (steep[0] >= level) first.push(radii[0]);
     for (let place = 1; place < radii.length; place++) {
-      const after = steepness(radii[place]);
+      const [before, after] = [steep[place - 1], steep[place]];
       const up = after >= level;
       if (up !== before >= level && (up || radii[place - 1] < far)) {
         const found = change(above, radii[place - 1], radii[place], Math.log(before / level), Math.log(after / level), up ? 1.0 : -1.0);
         (up ? first : last).push(found);
       }
-      before = after;
     }
     const largest = math.nextafter(radii.at(-1), 0.0);
     return { first: first.map((a) => Math.min(a, largest)), last: [...last, end].slice(0, first.length) };

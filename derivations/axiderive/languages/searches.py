@@ -5,7 +5,6 @@ sampled on them for all calls of a geometry is asked for radius by radius.
 """
 
 from __future__ import annotations
-
 import __future__
 
 import ast

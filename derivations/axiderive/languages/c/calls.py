@@ -199,7 +199,9 @@ class Calls(Expressions):
             case "rule":
                 return Rule(given[0])
             case "both":
-                return self._both(dict(zip(("integrand", "stop", "width", "lengths"), given, strict=False)) | named, scope)
+                return self._both(
+                    {**dict(zip(("integrand", "stop", "width", "lengths"), given, strict=False)), **named}, scope
+                )
             case "_pairs":
                 return self._pairs(*given)
             case "products":

@@ -9,7 +9,6 @@ from dataclasses import replace
 
 from ..reach import PLAIN, NoProgramError
 from .lines import declared, inside
-from .walks import Found, Walks
 from .values import (
     Closure,
     Counted,
@@ -28,6 +27,7 @@ from .values import (
     names_of,
     number_of,
 )
+from .walks import Found, Walks
 
 SPELLED = 32
 """Turns of a loop that are written out, at most."""

@@ -14,7 +14,10 @@ from ..reach import Module
 from .calls import Calls
 from .values import Closure, Native, Number, Record, Scope, Text, Value, bracketed, literal, number_of, variables_of
 
-ABOVE = ast.parse("lambda a: _log(steepness(a) / level)", mode="eval").body
+ABOVE = ast.Lambda(
+    ast.arguments([], [ast.arg("a")], None, [], [], None, []),
+    ast.parse("_log(steepness(a) / level)", mode="eval").body,
+)
 CHANGE = ast.parse("_change(above, low, high, _log(before / level), _log(after / level), sign)", mode="eval").body
 """What is asked on both sides of a change of sign, in the words of the search over plain numbers."""
 
@@ -118,9 +121,12 @@ class Walks(Calls):
         """A loop that looks at the ends of every branch, in ascending order."""
         module = self._module(searches.SINGLE)
         far = self.file.constant(module, "FAR") if "FAR" in module.bound else self.named(Scope(module), "FAR")
-        place, opened, rises, rose, over = (self.variable(one, "int") for one in ("place", "open", "rises", "rose", "over"))
+        place, opened, rises, rose, over = (
+            self.variable(one, "int") for one in ("place", "open", "rises", "rose", "over")
+        )
         a, before, own, known, first, last = (
-            self.variable(one, "double") for one in ("radius", "radius_before", "steep", "steep_before", "first", "last")
+            self.variable(one, "double")
+            for one in ("radius", "radius_before", "steep", "steep_before", "first", "last")
         )
         radii = found.radii
         end, count = radii.last, bracketed(radii.count, 5)
@@ -139,7 +145,9 @@ class Walks(Calls):
         self.depth += 1
         self.set(a, radii.radius(place))
         self.set(own, self.call(found.steepness, [a], {}, scope))
-        self.emit(f"{rises.text} = {own.text} >= {found.level.text};", None, rises.names | own.names | found.level.names)
+        self.emit(
+            f"{rises.text} = {own.text} >= {found.level.text};", None, rises.names | own.names | found.level.names
+        )
         self.emit(f"if ({place.text} == 0) {{", None, place.names)
         self.depth += 1
         self.set(first, a)
@@ -215,7 +223,9 @@ class Walks(Calls):
         needs = place.names | length.names | {"SPRINGS"}
         node = Number(f"{start.text} + {length.text} * SPRINGS[{place.text}][0]", "double", 5, needs | start.names)
         term = number_of(self.call(left, [node], {}, scope))
-        self.add_to(total, replace(term, text=f"SPRINGS[{place.text}][1] * {bracketed(term, 6)}", names=term.names | needs))
+        self.add_to(
+            total, replace(term, text=f"SPRINGS[{place.text}][1] * {bracketed(term, 6)}", names=term.names | needs)
+        )
         scope.divided -= 1
         self.depth -= 1
         self.emit("}")

@@ -3,7 +3,7 @@
 
 // a number with a unit of each kind, and what of the SI it is
 const PREFIX = { G: 1e9, M: 1e6, k: 1e3, "": 1, c: 1e-2, m: 1e-3, "µ": 1e-6, u: 1e-6, n: 1e-9 };
-const SCALES = { m: "kmcµun", Pa: "GMk", N: "MkmµunG", "N/m": "GMkmµu" };
+const SCALES = { m: "kmcµun", Pa: "GMk", N: "MkmµunG", "N/m": "GMkmµu", s: "mµun", "m/s": "cmµun", "Pa s": "GMkm" };
 const LINE_LOADS = { "N/mm": 1e3, "J/m²": 1, "J/m^2": 1, "mJ/m²": 1e-3, "mJ/m^2": 1e-3 };
 const ANGLES = { rad: 1, deg: Math.PI / 180, "°": Math.PI / 180 };
 const SHOWN = ["G", "M", "k", "", "m", "µ", "n"];
@@ -204,7 +204,7 @@ class Form {
 
   drawn(values) {
     const { formulas, evaluate, place, state } = this.data;
-    const ratios = Array.from({ length: 161 }, (_, count) => (count + 0.5) / 161);
+    const ratios = Array.from({ length: POINTS }, (_, count) => (count + 0.5) / POINTS);
     const found = [];
     for (const [row, formula] of Object.entries(formulas)) {
       if (formula.suffix === "" || formula.medium || !formula.needs.includes(place) || !("a" in values)) continue;
@@ -224,7 +224,7 @@ class Form {
   }
 }
 
-const WIDTH = 300, HEIGHT = 180, EDGE = 8;
+const POINTS = 81, WIDTH = 300, HEIGHT = 180, EDGE = 8;
 
 function plot(name, all, [x, xUnit], [y, yUnit], mark) {
   const points = all.filter((point) => point.every(Number.isFinite));
