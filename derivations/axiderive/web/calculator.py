@@ -20,6 +20,7 @@ from ..letters import name_of
 from ..physics.adhesive import CONTROLS
 from ..physics.medium import Medium
 from ..physics.systems import pool_of
+from ..rows.row import Row
 from ..worked.cases import CASES, Case
 
 Derived = Mapping[str, Mapping[str, Entry]]
@@ -27,18 +28,8 @@ STATE = ("F", "P", "d", "a")
 """What a contact is given by, first what a calculator asks for if nothing is said."""
 ALONE = {
     **{"E_star": 3.3e6, "p_0": 1e6, "a": 1e-3, "sigma": 0.5, "F": 10.0},
-    **{
-        "mu": 0.3,
-        "dgamma": 0.05,
-        "L": 0.05,
-        "e": 2e-4,
-        "H": 5e7,
-        "k": 0.3,
-        "H_x": 3e7,
-        "beta": 0.02,
-        "G": 1e6,
-        "z": 0.0,
-    },
+    **{"mu": 0.3, "dgamma": 0.05, "L": 0.05, "e": 2e-4, "H": 5e7, nt.k.name: 0.3, "H_x": 3e7},
+    **{"beta": 0.02, "G": 1e6, "z": 0.0},
     **{"E_law": 3e6, "E_inf": 1e6, "E_1": 2e6, "tau": 1.0, "eta": 1e6, "alpha": 0.3, "t_0": 1.0, "t": 1.0, "v": 1e-5},
 }
 """Values to begin with where no worked example has any."""
@@ -48,8 +39,10 @@ SAID = {"E": "Young's modulus of an elastic body under a rigid one, in place of 
 SIGNS = {"E": "E"}
 OF_LAW = {"E": "E_law"}
 """Fields of letters that mean something else in a material law."""
-LAST = ("E_star", "E", "nu", "G_star", "H", "k", "H_x", "mu", "dgamma", "r", "x", "c", "F_x", "L",
-        "E_law", "E_inf", "E_1", "tau", "eta", "alpha", "t_0", "v", "t")  # fmt: skip
+LAST = (
+    *("E_star", "E", "nu", "G_star", "H", nt.k.name, "H_x", "mu", "dgamma", "r", "x", nt.c.name, "F_x", "L"),
+    *("E_law", "E_inf", "E_1", "tau", "eta", "alpha", "t_0", "v", "t"),
+)
 """Behind the lengths of the profile: the material, and where a field is asked for."""
 
 
@@ -176,8 +169,11 @@ def _beginning(letter: str, case: Case | None) -> float | str:
     return ALONE.get(letter, "")
 
 
-def scripts(shown: Mapping[str, Container[str]], derived: Derived, modules: Mapping[str, str]) -> dict[str, str]:
-    """The scripts of the calculators by profile, from the keys of the rows of each."""
+def scripts(
+    rows: Mapping[str, Mapping[str, Sequence[Row]]], derived: Derived, modules: Mapping[str, str]
+) -> dict[str, str]:
+    """The scripts of the calculators by profile, from the rows of each."""
     package = Package(modules)
+    shown = {name: {e.key for of in own.values() for row in of for e in row.entries} for name, own in rows.items()}
     found = {name: calculator(name, derived, package, own) for name, own in shown.items()}
     return {name: own for name, own in found.items() if own is not None}
