@@ -10,8 +10,12 @@ import pytest
 from chromium import Chromium, needs_browser
 
 from axicontact import materials
+from axicontact.adhesive import cone as adhesive_cone
+from axicontact.graded.normal import cone as graded_cone
 from axicontact.normal import cone, flat_punch
 from axicontact.tangential import cone as slipping
+from axicontact.viscoelastic import cone as yielding
+from axiderive.physics.adhesive import CONTROLS
 
 pytestmark = needs_browser
 PHONE = 360
@@ -20,7 +24,7 @@ PHONE = 360
 SHOWN = """Object.fromEntries([...document.querySelectorAll("output")].map(
   (one) => [one.parentElement.querySelector(".key").getAttribute("href").slice(1), one.textContent]))"""
 UNITS = {"µm": 1e-6, "mm": 1e-3, "nm": 1e-9, "m": 1.0, "mN": 1e-3, "N": 1.0, "kN": 1e3, "µN": 1e-6, "kPa": 1e3}
-UNITS |= {"MPa": 1e6, "GPa": 1e9, "Pa": 1.0, "kN/m": 1e3, "MN/m": 1e6, "N/m": 1.0}
+UNITS |= {"MPa": 1e6, "GPa": 1e9, "Pa": 1.0, "kN/m": 1e3, "MN/m": 1e6, "N/m": 1.0, "nN": 1e-9}
 
 
 def number(text: str) -> float:
@@ -144,3 +148,55 @@ def test_an_end_that_belongs_to_its_domain(opened: tuple[Chromium, str]) -> None
     assert faults(browser) == []
     found = browser.value(SHOWN)
     assert number(found["tan.F"]) == pytest.approx(0.3 * number(found["F"]), rel=1e-3)
+
+
+def test_pull_off_and_the_graded_half_space(opened: tuple[Chromium, str]) -> None:
+    """Under both controls; on the graded half-space the contact has a radius of its own."""
+    browser, root = opened
+    browser.open(f"{root}/cone.html?F=20+mN&theta=20+deg&E_star=1+MPa&dgamma=0.05&H=1e6&k=0.2")
+    found, theta = browser.value(SHOWN), math.radians(20.0)
+    for control, (a, F, d) in CONTROLS.items():
+        state = adhesive_cone.pull_off(control, theta=theta, E_star=1e6, dgamma=0.05)
+        assert number(found[f"adh.{a}"]) == pytest.approx(state.radius, rel=1e-4)
+        assert number(found[f"adh.{F}"]) == pytest.approx(state.force, rel=1e-4)
+        assert number(found[f"adh.{d}"]) == pytest.approx(state.depth, rel=1e-4)
+    a = graded_cone.radius_from_force(0.02, theta=theta, H=1e6, k=0.2)
+    assert number(found["fgm.aF"]) == pytest.approx(a, rel=1e-4)
+    assert number(found["fgm.d"]) == pytest.approx(graded_cone.depth(a, theta=theta, k=0.2), rel=1e-4)
+    assert number(found["fgm.pm"]) == pytest.approx(graded_cone.mean_pressure(a, theta=theta, H=1e6, k=0.2), rel=1e-4)
+    assert number(found["F"]) == pytest.approx(0.02)
+    assert browser.said() == []
+
+
+def test_material_laws(opened: tuple[Chromium, str]) -> None:
+    """Their modulus is not that of the elastic body, which has its letter."""
+    browser, root = opened
+    solid = "E_inf=1+MPa&E_1=2+MPa&tau=500+ms"
+    browser.open(f"{root}/cone.html?d=10+um&theta=20+deg&E=5+MPa&nu=0.4&E_law=3+MPa&{solid}&t=700+ms&v=20+um/s")
+    found, theta = browser.value(SHOWN), math.radians(20.0)
+    law = {"theta": theta, "E_inf": 1e6, "E_1": 2e6, "tau": 0.5}
+    wanted = yielding.step_force_standard_solid(0.7, d=1e-5, **law)
+    assert number(found["vis.step_sls"]) == pytest.approx(wanted, rel=1e-4)
+    assert number(found["vis.ramp_sls"]) == pytest.approx(
+        yielding.ramp_force_standard_solid(0.7, v=2e-5, **law), rel=1e-4
+    )
+    wanted = yielding.step_force_maxwell(0.7, d=1e-5, theta=theta, E=3e6, tau=0.5)
+    assert number(found["vis.step_mx"]) == pytest.approx(wanted, rel=1e-4)
+    typed(browser, "relaxation time", "0.5 m")
+    assert faults(browser) == ["m is no unit of tau; use s, ms, µs, us, ns"]
+
+
+def test_what_is_wrong_can_be_read_on_a_telephone(opened: tuple[Chromium, str]) -> None:
+    browser, root = opened
+    browser.open(f"{root}/{ADDRESS}", PHONE)
+    typed(browser, "inclination", "100 deg")
+    box = browser.value("""(() => {
+      const [fault] = [...document.querySelectorAll('#calculator em')].filter((one) => one.textContent);
+      const parts = [fault, fault.parentElement.querySelector('input')];
+      const [own, field] = parts.map((one) => one.getBoundingClientRect());
+      return { left: own.left, right: own.right, height: own.height, below: own.top - field.top };
+    })()""")
+    assert box["height"] > 0.0
+    assert 0.0 <= box["left"] < box["right"] <= PHONE
+    assert 0.0 <= box["below"] < 100.0
+    assert browser.value("document.documentElement.scrollWidth") <= PHONE

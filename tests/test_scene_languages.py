@@ -72,11 +72,25 @@ def test_a_file_holds_what_its_functions_need():
     assert "double pressure(double r, double a)" in text
 
 
+BELOW = CONE + '[physics]\nsubsurface = true\n[want]\nquantities = ["stress"]\n'
+SHEET = CONE.replace("nu = 0.3", 'nu = 0.3\n[physics]\nlayer = { thickness = "2 mm" }')
+
+
 @pytest.mark.parametrize("language", TOOLS)
-def test_what_has_no_program_names_what_has(language):
-    bump = 'profile = "gaussian"\n[physics]\nadhesive = true\n[want]\nquantities = ["depth", "radius_from_depth"]\n'
-    with pytest.raises(CommandError, match=r'radius_from_depth: .*write language = "python", or ask for depth$'):
-        composed_from(bump + FORMATS.format(language, language))
+@pytest.mark.parametrize(
+    ("source", "told"),
+    [
+        (BELOW, "stress: .* one: pressure of normal contact"),
+        (
+            SHEET,
+            "depth, force, pressure: .* one: depth of normal contact, force of normal contact, pressure of "
+            "normal contact",
+        ),  # fmt: skip
+    ],
+)
+def test_what_has_no_program_names_the_nearest_that_has_one(language, source, told):
+    with pytest.raises(CommandError, match=f"{told}$"):
+        composed_from(source + FORMATS.format(language, language))
 
 
 def test_bad_languages():

@@ -14,6 +14,7 @@ from typing import TypeVar
 
 from .public import FORMULAS, PROGRAMS
 from .reach import PLAIN, PRODUCTS, Module, Name, NoProgramError, Package
+from .searches import OWN, RADII, SAMPLES, radii, springs
 
 Part = TypeVar("Part")
 HELPERS = Path(__file__).with_name("numbers.js")
@@ -47,6 +48,8 @@ OF_PYTHON = {
 """Names of Python itself."""
 RULED = re.compile(r"math\.(rule|in_groups|integral|products)")
 """What needs the nodes of the rules."""
+KEPT = "cache", "Kept"
+"""Decorators of what is kept for the geometries of the last calls."""
 WORDS = frozenset(("default", "function", "var", "const", "new", "this", "delete", "switch", "case", "void", "enum"))
 """Names that mean something else here."""
 SIGNS = {
@@ -139,7 +142,28 @@ class Script:
             return "math.products"
         if home == PLAIN and own in _helpers():
             return f"math.{own}"
+        if (home, own) in OWN:
+            return self._own(there, own)
         return self._take(found, there, self.package.bound(there, own))
+
+    def _own(self, module: Module, name: str) -> str:
+        """What goes over arrays in Python: a function of the helpers, over a table of the module."""
+        if name in RADII:
+            values = f"[{', '.join(map(repr, radii(module.text, name)))}]"
+            text = f"(length = 1.0) => {values}.map((x) => x * length)"
+        elif name == "springs":
+            pairs, under = springs(module.text)
+            values = ", ".join(f"[{x!r}, {weight!r}]" for x, weight in pairs)
+            text = f"math.springs([{values}], {under!r})"
+        elif name == "branches":
+            text = f"math.branches({self.named(module, '_change')}, {self.named(module, 'FAR')})"
+        else:
+            return f"math.{name}"
+        key = (module.name, name)
+        if key not in self.texts:
+            self.names[key] = self._free(key)
+            self.texts[key] = f"const {self.names[key]} = {text};\n"
+        return self.names[key]
 
     def signature(self, module: Module, function: ast.expr) -> ast.arguments | None:
         """The arguments of a function that a call names; None where it is a value."""
@@ -181,13 +205,15 @@ class Printer:
             for decorator in map(ast.unparse, node.decorator_list):
                 if decorator in _helpers():
                     text = f"math.{decorator}({text})"
-                elif decorator.partition("(")[0] not in ("cache", "Kept", "at_many_radii", "over_radii"):
+                elif decorator in KEPT:
+                    text = f"math.kept({text})"
+                elif decorator.partition("(")[0] not in ("at_many_radii", "over_radii"):
                     raise _missing(self.module, decorator)
             return f"const {name} = {text};\n"
         if isinstance(node, ast.ClassDef):
             fields = _fields(node)
             given = [own + (f" = {self.expr(value)}" if value else "") for own, value in fields.items()]
-            return f"const {name} = ({', '.join(given)}) => ({{{', '.join(fields)}}});\n"
+            return f"const {name} = ({', '.join(given)}) => math.record({{ {', '.join(fields)} }});\n"
         assert isinstance(node, ast.Assign | ast.AnnAssign) and node.value
         return f"const {name} = {self.expr(node.value)};\n"
 
@@ -359,12 +385,35 @@ class Printer:
             return "false"
         if isinstance(function, ast.Name) and function.id == "isinstance":
             return f'(typeof {self.expr(node.args[0])} === "number")'
+        if isinstance(function, ast.Name) and function.id == "getattr":
+            return f"{self.expr(node.args[0])}[{self.expr(node.args[1])}]"
+        if isinstance(function, ast.Name) and function.id == "partial":
+            return self._partial(node)
+        if isinstance(function, ast.Name) and function.id == SAMPLES:
+            return f"({{ radii: {self.expr(node.args[0])}, end: {self.expr(node.args[2])} }})"
+        if isinstance(function, ast.Attribute) and function.attr == "_replace":
+            changes = ", ".join(f"{own.arg}: {self.expr(own.value)}" for own in node.keywords)
+            return f"math.replaced({self.expr(function.value)}, {{ {changes} }})"
+        if isinstance(function, ast.Attribute) and function.attr == "item":
+            return self.expr(function.value)
         if isinstance(function, ast.Attribute) and function.attr == "append":
             return f"{self.expr(function.value)}.push({', '.join(map(self.expr, node.args))})"
         given = list(map(self.expr, node.args))
         if node.keywords:
             given = self._ordered(node, given)
         return f"{self.expr(function)}({', '.join(given)})"
+
+    def _partial(self, node: ast.Call) -> str:
+        """A function of what is left of the arguments of another."""
+        (function,) = node.args
+        signature = self.script.signature(self.module, function)
+        if signature is None:
+            raise _missing(self.module, ast.unparse(node))
+        held = {str(keyword.arg): self.expr(keyword.value) for keyword in node.keywords}
+        names = _arguments(signature)
+        left = [_word(name) for name in names if name not in held]
+        given = ", ".join(held.get(name, _word(name)) for name in names)
+        return f"(({', '.join(left)}) => {self.expr(function)}({given}))"
 
     def _ordered(self, node: ast.Call, given: list[str]) -> list[str]:
         """Arguments by name at their places."""
@@ -379,7 +428,7 @@ class Printer:
         signature = inner or self.script.signature(self.module, node.func)
         named = {str(keyword.arg): self.expr(keyword.value) for keyword in node.keywords}
         if signature is None:
-            if named.keys() <= {"dtype", "otypes", "initial"}:
+            if named.keys() <= {"dtype", "otypes", "initial", "strict"}:
                 return given
             raise _missing(self.module, ast.unparse(node))
         if signature.vararg:
@@ -445,7 +494,7 @@ def _constant(value: object, module: Module) -> str:
 def _reserved() -> frozenset[str]:
     """The names that a file has besides."""
     return frozenset(
-        ("HALVES", "functions", "formulas", *re.findall(r"^const (\w+)", HELPERS.read_text(), re.MULTILINE))
+        ("HALVES", "functions", "formulas", "once", *re.findall(r"^const (\w+)", HELPERS.read_text(), re.MULTILINE))
     )
 
 

@@ -26,6 +26,13 @@ PRODUCTS = ("_runtime.graded.single", "_pairs")
 """What has the nodes of rules for a power as a weight, from tables of arrays; another language has its own."""
 
 
+ARRAYS = {
+    "_runtime.physics.layer": "a contact with a layer is solved over arrays",
+    "_runtime.graded.waves": "waves on a graded half-space are integrated along complex paths",
+}
+"""Modules without a form over single numbers, and why."""
+
+
 class NoProgramError(ValueError):
     """A function is not evaluated by a program over single numbers."""
 
@@ -117,7 +124,15 @@ class Package:
         return self.resolved(home, there) if self.module(home) else (home, there)
 
     def bound(self, module: Module, name: str) -> ast.stmt:
-        """What a module binds to a name; a public function as it is over single numbers."""
+        """What a module binds to a name; a public function as it is over single numbers.
+
+        Raises
+        ------
+        NoProgramError
+            If the module has no form over single numbers.
+        """
+        if module.name in ARRAYS:
+            raise NoProgramError(ARRAYS[module.name])
         node = module.bound[name]
         if not isinstance(node, ast.FunctionDef) or "__all__" not in module.bound:
             return node

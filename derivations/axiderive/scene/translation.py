@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from functools import cache
 from typing import TYPE_CHECKING
 
 from ..code.module import PACKAGE
 from ..exits import USAGE, CommandError
 from ..languages.reach import NoProgramError, Package
-from ..languages.standalone import LANGUAGES, Asked, Call
+from ..languages.standalone import LANGUAGES, Asked, Call, Standalone
 from ..store.index import package
 from . import interface
 from .contact import Contact
@@ -32,7 +33,7 @@ def translated(contact: Contact, head: str, run: Run, answer: Answer | None) -> 
     Raises
     ------
     CommandError
-        If a function has no program in the language; it names those that have.
+        If a function has no program in the language; it names the nearest that has one.
     """
     request = contact.request
     language = LANGUAGES[request.language](_with(contact, answer) if answer else _catalogue())
@@ -44,7 +45,8 @@ def translated(contact: Contact, head: str, run: Run, answer: Answer | None) -> 
         except NoProgramError as error:
             missing[name] = str(error)
     if missing:
-        others = f", or ask for {', '.join(language.functions)}" if language.functions else ""
+        nearest = ", ".join(filter(None, dict.fromkeys(_nearest(contact, language, name) for name in missing)))
+        others = f", or ask for the nearest that has one: {nearest}" if nearest else ""
         reasons = "; ".join(dict.fromkeys(missing.values()))
         message = (
             f'{", ".join(missing)}: no program in {request.language} ({reasons}); write language = "python"{others}'
@@ -96,6 +98,31 @@ def _asked(contact: Contact, name: str) -> list[Asked]:
     quantity, home = function.quantity, f"{function.module}.{profile.name}"
     public = "peak_pressure" if quantity.member else quantity.function
     return [Asked(name, home, public, request.frozen, function.doc(profile.name), quantity.member)]
+
+
+def _nearest(contact: Contact, language: Standalone, name: str) -> str:
+    """The function with a program that is next to one without, of its kind or else of the plain contact of its body.
+
+    That is the one of its name, the curve it is the inverse of, one of the same letter, or of the most of its fields.
+    """
+    kind, profile = contact.request.kind, contact.profile
+    lacking = interface.functions(kind, interface.contact_of(profile)).get(name)
+
+    def distance(one: interface.Function) -> tuple[bool | int, ...]:
+        if lacking is None:
+            return (one.name != name,)
+        own, known = lacking.quantity, one.quantity
+        shared = {*lacking.fields} & {*one.fields}
+        return one.name != name, known.suffix != own.inverts, known.symbol != own.symbol, -len(shared)
+
+    for own in dict.fromkeys((kind, kind.below or kind, interface.Kind(kind.plain))):
+        known = interface.functions(own, interface.contact_of(profile)).values()
+        for function in sorted((one for one in known if not one.whole), key=distance):
+            home, quantity = f"{function.module}.{profile.name}", function.quantity
+            with suppress(NoProgramError):
+                language.add(Asked(function.name, home, quantity.function, contact.request.frozen, ""))
+                return function.name if own is kind else f"{function.name} of {own.name} contact"
+    return ""
 
 
 def _state(control: str, part: str) -> str:

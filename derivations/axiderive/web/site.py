@@ -73,7 +73,7 @@ def html_sources(
     site = Site(frozenset(ids), keys, equations, bool(studies))
     front = book.model(list(models.values()), chapter11, studies)
     measured = {panel.key for panel in front["studies"]["error"].panels} if front["studies"]["error"] else set()
-    calculators = scripts(ids, derived, modules)
+    calculators = scripts({i: models[i]["rows"] for i in ids}, derived, modules)
     files = {f"assets/{name}.js": text for name, text in calculators.items()}
     for i in ids:
         shown = page(models[i], derived, evidence, modules) | {"calculator": i in calculators}

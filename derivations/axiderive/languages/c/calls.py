@@ -10,7 +10,7 @@ from abc import abstractmethod
 from collections.abc import Mapping, Sequence
 from functools import reduce
 
-from ..reach import Module
+from ..reach import PLAIN, Module
 from .expressions import Expressions
 from .natives import FULL, LIKE, NATIVES, NODES, PRODUCTS, TRUTHS
 from .values import (
@@ -21,6 +21,7 @@ from .values import (
     Native,
     Number,
     Over,
+    Partial,
     Record,
     Rule,
     Scope,
@@ -58,6 +59,8 @@ class Calls(Expressions):
                 fields = fields_of(node)
                 defaults = {name: self.expr(value, Scope(module)) for name, value in fields.items() if value}
                 return Record(defaults | dict(zip(fields, given, strict=False)) | named)
+            case Partial(inner, held):
+                return self.call(inner, given, {**held, **named}, scope)
             case Rule(lengths):
                 return self._rule(lengths, given[0])
             case Native():
@@ -139,6 +142,10 @@ class Calls(Expressions):
         match name:
             case "hasattr":
                 return False
+            case "partial":
+                return Partial(given[0], dict(named))
+            case "getattr":
+                return given[0].fields[given[1]]
             case "len":
                 return len(self._items(given[0], scope))
             case "range":
@@ -191,6 +198,10 @@ class Calls(Expressions):
                 return self.native(NATIVES["minimum"], [self.native(NATIVES["maximum"], given[:2]), given[2]])
             case "rule":
                 return Rule(given[0])
+            case "both":
+                return self._both(
+                    {**dict(zip(("integrand", "stop", "width", "lengths"), given, strict=False)), **named}, scope
+                )
             case "_pairs":
                 return self._pairs(*given)
             case "products":
@@ -221,8 +232,10 @@ class Calls(Expressions):
     def _frexp(self, value: Value) -> Value:
         if not isinstance(value, Number):
             return math.frexp(value)
-        power, share = self.variable("power", "int"), self.variable("share", "double")
-        self.emit(f"{share.text} = frexp({value.text}, &{power.text});", None, share.names | power.names | value.names)
+        x = number_of(value)
+        share, power = self.variable("share", "double"), self.variable("power", "int")
+        self.set(share, Number(f"share_of({x.text})", "double", 9, x.names))
+        self.set(power, Number(f"power_of({x.text})", "int", 9, x.names))
         return share, power
 
     def _sum(self, name: str, given: Sequence[Value], scope: Scope) -> Value:
@@ -231,7 +244,7 @@ class Calls(Expressions):
             return Number(f"sum_of(&{terms.text})", "double", 9, terms.names)
         if isinstance(terms, Each):
             total = self.variable("total", "sum")
-            self.emit(f"{total.text}.count = 0;", None, total.names)
+            self.emit(f"{total.text}.high = {total.text}.low = 0.0;", None, total.names)
             inner = Scope(terms.scope.module, terms.scope)
             node, weight = self._start_rule(terms.pairs)
             self._name(terms.loop.target, (node, weight), inner)
@@ -248,7 +261,7 @@ class Calls(Expressions):
         if not any(isinstance(one, Number) for one in items):
             return math.fsum(items)
         total = self.variable("total", "sum")
-        self.emit(f"{total.text}.count = 0;", None, total.names)
+        self.emit(f"{total.text}.high = {total.text}.low = 0.0;", None, total.names)
         for item in items:
             self.add_to(total, item)
         return Number(f"sum_of(&{total.text})", "double", 9, total.names)
@@ -277,6 +290,38 @@ class Calls(Expressions):
         table = NODES.format(count)
         text = f"{own.text} = pairs_of({table}, {count}, {number.text});"
         self.emit(text, None, own.names | number.names | {table, "pairs_of"})
+
+    def _both(self, given: Mapping[str, Value], scope: Scope) -> Value:
+        """The integrals of both members of a pair, from the same nodes."""
+        stop, panels = self.variable("stop", "double"), self.variable("panels", "int")
+        self.set(stop, given["stop"])
+        lengths = given["lengths"] if "lengths" in given else self.named(Scope(self._plain()), "STRIPS")
+        length = self._arithmetic(ast.Div(), stop, given.get("width", 1.0), scope)
+        most = self._arithmetic(ast.Div(), length, lengths[-1][0], scope)
+        self.set(panels, Number(f"panels_of(higher({most.text}, 1.0))", "int", 9, most.names))
+        nodes = self._rule(lengths, self._arithmetic(ast.Div(), length, panels, scope))
+        self.emit(f"{nodes.text}.panels = {panels.text};", None, nodes.names | panels.names)
+        totals = [self.variable("total", "sum") for _ in range(2)]
+        for total in totals:
+            self.emit(f"{total.text}.high = {total.text}.low = 0.0;", None, total.names)
+        node, weight = self._start_rule(nodes)
+        self.depth += 1
+        scope.divided += 1
+        place = self._arithmetic(ast.Mult(), node, stop, scope)
+        for total, own in zip(totals, self.call(given["integrand"], [place], {}, scope), strict=True):
+            self.add_to(total, self._arithmetic(ast.Mult(), weight, own, scope))
+        scope.divided -= 1
+        self.depth -= 1
+        self.emit("}")
+        return tuple(
+            Number(f"sum_of(&{total.text}) * {stop.text}", "double", 6, total.names | stop.names) for total in totals
+        )
+
+    def _plain(self) -> Module:
+        """The module of rules over plain numbers."""
+        module = self.file.package.module(PLAIN)
+        assert module is not None
+        return module
 
     def _products(self, power: Value, count: Value, beyond: bool) -> Number:
         """The nodes of a rule for what has a power as a weight; how many there are the program may find."""

@@ -11,11 +11,13 @@ from typing import Any
 
 from ..public import FORMULAS, PROGRAMS
 from ..reach import PLAIN, PRODUCTS
+from ..searches import OWN
 from .lines import Lines
 from .natives import CONSTANTS, NATIVES
 from .values import (
     Closure,
     Each,
+    Latest,
     Native,
     Number,
     Record,
@@ -133,10 +135,12 @@ class Expressions(Lines):
             return Whole("numpy" if (home, own) == (PLAIN, "MATH") else home)
         if home in ("math", "numpy"):
             return self._of_numpy(own, scope)
-        if home == PLAIN and own in ("rule", "_pairs", "gauss_legendre", "sqrt", "log", "log1p"):
+        if home == PLAIN and own in ("rule", "_pairs", "both", "gauss_legendre", "sqrt", "log", "log1p"):
             return NATIVES.get(own) or Native(own)
         if (home, own) == PRODUCTS:
             return Native("products")
+        if (home, own) in OWN:
+            return NATIVES.get(own) or Native(OWN[home, own])
         there = package.module(home)
         if there is None:
             raise missing(scope, name)
@@ -303,6 +307,8 @@ class Expressions(Lines):
             ends = [None if one is None else self.expr(one, scope) for one in (place.lower, place.upper, place.step)]
             return self._items(value, scope)[slice(*ends)]
         index = self.expr(place, scope)
+        if isinstance(value, Latest) and index == -1:
+            return value.item
         if isinstance(index, Number) or not isinstance(value, tuple | list | range | dict):
             raise missing(scope, f"part {ast.unparse(place)} of something")
         return value[index]

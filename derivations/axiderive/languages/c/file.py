@@ -25,6 +25,10 @@ HELPERS = Path(__file__).with_name("numbers.h")
 """What C lacks: comparisons that keep what is no number, exact sums, the places of a rule."""
 
 
+LISTS = "physics.cohesive_states"
+"""The module that keeps what it has found on its way."""
+
+
 class File:
     """The functions of one file of C, and all that they need."""
 
@@ -113,6 +117,9 @@ class File:
     def constant(self, module: Module, name: str) -> Value:
         """What a module binds to a name."""
         key = (module.name, name)
+        if module.name.endswith(LISTS):
+            message = "a cohesive zone is looked for in lists of states, for which C has no place"
+            raise NoProgramError(message)
         if key not in self._constants:
             node = self.package.bound(module, name)
             if isinstance(node, ast.FunctionDef):

@@ -83,7 +83,7 @@ class Lines:
         for name in sorted(grown & scope.names.keys()):
             if loop and scope.names[name] == []:
                 scope.names[name] = total = self.variable(name, "sum")
-                self.emit(f"{total.text}.count = 0;", None, total.names)
+                self.emit(f"{total.text}.high = {total.text}.low = 0.0;", None, total.names)
 
     def _variables(self, name: str, value: Value) -> Value:
         if isinstance(value, tuple | list):

@@ -47,6 +47,7 @@ NATIVES: dict[str, Native] = {
     "minimum": Native("minimum", _least),
     "maximum": Native("maximum", _greatest),
     "copysign": Native("copysign", math.copysign),
+    "halfway": Native("halfway"),
     "nextafter": Native("nextafter", math.nextafter),
 }
 """Functions by Python's and NumPy's names."""

@@ -8,56 +8,56 @@ static inline double maximum(double x, double y) { return x > y || x != x ? x : 
 static inline double lower(double x, double y) { return y < x ? y : x; }
 static inline double higher(double x, double y) { return y > x ? y : x; }
 
-/* a sum that is exact before it is rounded: parts that do not overlap, the smallest first */
+/* a number as a share, from a half on and below one, times a power of two */
+static inline double share_of(double x)
+{
+  int power;
+  return frexp(x, &power);
+}
+static inline int power_of(double x)
+{
+  int power;
+  (void)frexp(x, &power);
+  return power;
+}
+
+/* the number in the middle of all between two positive ones */
+static inline double halfway(double low, double high)
+{
+  union { double number; long long bits; } first, second;
+  first.number = low;
+  second.number = high;
+  first.bits += (second.bits - first.bits) / 2;
+  return first.number;
+}
+
+/* whole waves within a reach, and radii around them in units of their length: decades, sixteen in each wave, decades */
+static inline int waves_within(double reach)
+{
+  return isfinite(reach) && reach > 4.0 ? (int)(reach < 4096.0 ? reach : 4096.0) : 4;
+}
+static inline double radius_of_waves(int place, int waves)
+{
+  if (place < 15)
+    return pow(10.0, 10.0 * place - 150.0);
+  return place < 16 * waves + 15 ? (place - 14) / 16.0 : (waves + 1.0) * pow(10.0, 10.0 * (place - 16 * waves - 15));
+}
+
+/* a sum that carries what rounding loses; what is infinite or no number stays that */
 struct sum {
-  int count;
-  double part[64];
+  double high, low;
 };
 
 static inline void sum_add(struct sum *sum, double x)
 {
-  int place, kept = 0;
-  /* what is infinite or no number stays that */
-  if (!isfinite(x) || (sum->count > 0 && !isfinite(sum->part[sum->count - 1]))) {
-    sum->part[0] = sum->count > 0 && !isfinite(sum->part[sum->count - 1]) ? sum->part[sum->count - 1] + x : x;
-    sum->count = 1;
-    return;
-  }
-  for (place = 0; place < sum->count; place++) {
-    double y = sum->part[place], high, low;
-    if (fabs(x) < fabs(y)) {
-      double other = x;
-      x = y;
-      y = other;
-    }
-    high = x + y;
-    low = y - (high - x);
-    if (low != 0.0)
-      sum->part[kept++] = low;
-    x = high;
-  }
-  sum->part[kept] = x;
-  sum->count = kept + 1;
+  double high = sum->high + x, part = high - sum->high;
+  sum->low += (sum->high - (high - part)) + (x - part);
+  sum->high = high;
 }
 
 static inline double sum_of(const struct sum *sum)
 {
-  int place = sum->count;
-  double high = 0.0, low = 0.0;
-  while (place > 0) {
-    double x = high, y = sum->part[--place];
-    high = x + y;
-    low = y - (high - x);
-    if (low != 0.0)
-      break;
-  }
-  /* half way between two numbers the next part decides */
-  if (place > 0 && ((low < 0.0 && sum->part[place - 1] < 0.0) || (low > 0.0 && sum->part[place - 1] > 0.0))) {
-    double twice = 2.0 * low, next = high + twice;
-    if (twice == next - high)
-      high = next;
-  }
-  return high;
+  return isfinite(sum->high) ? sum->high + sum->low : sum->high;
 }
 
 /* nodes and weights on (0, 1), in equal panels; the tables hold the lower half */
@@ -84,10 +84,15 @@ static inline struct pairs pairs_of(const double (*half)[2], int count, int pane
 
 static inline double node_of(const struct pairs *pairs, int place, double *weight)
 {
-  int within = place % pairs->count, start = place / pairs->count;
+  int one = pairs->panels == 1, within = one ? place : place % pairs->count, start = one ? 0 : place / pairs->count;
   int lower = within < pairs->count / 2;
   const double *own = pairs->half[lower ? within : pairs->count - 1 - within];
-  *weight = pairs->weights ? pairs->weights[place] : own[1] / pairs->panels;
+  /* a division takes longer than most of what is summed */
+  if (one) {
+    *weight = pairs->weights ? pairs->weights[place] : own[1];
+    return lower ? own[0] : 1.0 - own[0];
+  }
+  *weight = own[1] / pairs->panels;
   return (start + (lower ? own[0] : 1.0 - own[0])) / pairs->panels;
 }
 

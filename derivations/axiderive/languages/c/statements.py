@@ -8,11 +8,11 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from ..reach import PLAIN, NoProgramError
-from .calls import Calls
 from .lines import declared, inside
 from .values import (
     Closure,
     Counted,
+    Latest,
     Number,
     Over,
     Record,
@@ -21,16 +21,19 @@ from .values import (
     Text,
     Value,
     is_number,
+    kind_of,
+    mapped,
     missing,
     names_of,
     number_of,
 )
+from .walks import Found, Walks
 
 SPELLED = 32
 """Turns of a loop that are written out, at most."""
 
 
-class Writer(Calls):
+class Writer(Walks):
     """Writes one function of C."""
 
     def whole(self, closure: Closure, given: Sequence[Value], name: str, returns: str, part: str = "") -> Text:
@@ -168,6 +171,9 @@ class Writer(Calls):
         return held
 
     def _append(self, scope: Scope, name: str, value: Value) -> None:
+        if name not in scope.names:
+            self._append_outside(scope, name, value)
+            return
         known = scope.names[name]
         if isinstance(known, list) and not scope.divided:
             known.append(value)
@@ -175,6 +181,20 @@ class Writer(Calls):
         if not (isinstance(known, Number) and known.kind == "sum"):
             raise missing(scope, f"{name}.append")
         self.add_to(known, value)
+
+    def _append_outside(self, scope: Scope, name: str, value: Value) -> None:
+        """What a function leaves in a list of the one around it, of which that may ask for the last item."""
+        home = scope.around
+        while home is not None and name not in home.names:
+            home = home.around
+        known = home.names[name] if home else None
+        if home is None or not (known == [] or isinstance(known, Latest)):
+            raise missing(scope, f"{name}.append")
+        if isinstance(known, Latest):
+            mapped(known.item, self.set, value)
+        else:
+            home.names[name] = Latest(mapped(value, lambda one, _: self.variable(name, kind_of(one)), value))
+            mapped(home.names[name].item, self.set, value)
 
     def _if(self, test: Value, body: Sequence[ast.stmt], orelse: Sequence[ast.stmt], scope: Scope) -> None:
         if not isinstance(test, Number):
@@ -204,6 +224,11 @@ class Writer(Calls):
             self.divide(scope, body, loop=True)
             node, weight = self._start_rule(iterated)
             self._loop(body, scope, lambda: self.assign(target, (node, weight), scope))
+        elif isinstance(iterated, Found):
+            self.divide(scope, body, loop=True)
+            scope.loops.append("")
+            self.each_branch(iterated, scope, lambda *ends: self._look(target, ends, body, scope))
+            scope.loops.pop()
         elif isinstance(iterated, Counted) or (isinstance(iterated, range) and len(iterated) > SPELLED):
             self.divide(scope, body, loop=True)
             own = self.variable(ast.unparse(target), "int")
@@ -215,6 +240,10 @@ class Writer(Calls):
             self._loop(body, scope, lambda: self.assign(target, own, scope))
         else:
             self._turns(target, self._items(iterated, scope), body, scope)
+
+    def _look(self, target: ast.expr, ends: tuple[Number, ...], body: Sequence[ast.stmt], scope: Scope) -> None:
+        self.assign(target, ends, scope)
+        self.block(body, scope)
 
     def _loop(self, body: Sequence[ast.stmt], scope: Scope, begin: Callable[[], None]) -> None:
         scope.loops.append("")

@@ -115,6 +115,21 @@ class Counted:
     step: int
 
 
+@dataclass(frozen=True)
+class Partial:
+    """A function some of whose arguments are there already."""
+
+    function: Value
+    held: dict[str, Value]
+
+
+@dataclass
+class Latest:
+    """A list of which only the last item is asked for: it stays in the same variables."""
+
+    item: Value
+
+
 class SeveralValuesError(Exception):
     """A function gives no single number, and is written where it is called."""
 
