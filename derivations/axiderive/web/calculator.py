@@ -29,8 +29,8 @@ STATE = ("F", "P", "d", "a")
 ALONE = {
     **{"E_star": 3.3e6, "p_0": 1e6, "a": 1e-3, "sigma": 0.5, "F": 10.0},
     **{"mu": 0.3, "dgamma": 0.05, "L": 0.05, "e": 2e-4, "H": 5e7, nt.k.name: 0.3, "H_x": 3e7},
-    **{"beta": 0.02, "G": 1e6, "z": 0.0},
-    **{"E_law": 3e6, "E_inf": 1e6, "E_1": 2e6, "tau": 1.0, "eta": 1e6, "alpha": 0.3, "t_0": 1.0, "t": 1.0, "v": 1e-5},
+    **{"beta": 0.02, "G": 1e6, "z": 0.0, "t": 1.0, "v": 1e-5, "t_0": 1.0, name_of(nt.relaxation): 1.0},
+    **{"E_law": 3e6, "E_inf": 1e6, "E_1": 2e6, "eta": 1e6, "alpha": 0.3},
 }
 """Values to begin with where no worked example has any."""
 STATE_NAMES = "radius", "force", "depth"
@@ -41,7 +41,7 @@ OF_LAW = {"E": "E_law"}
 """Fields of letters that mean something else in a material law."""
 LAST = (
     *("E_star", "E", "nu", "G_star", "H", nt.k.name, "H_x", "mu", "dgamma", "r", "x", nt.c.name, "F_x", "L"),
-    *("E_law", "E_inf", "E_1", "tau", "eta", "alpha", "t_0", "v", "t"),
+    *("E_law", "E_inf", "E_1", name_of(nt.relaxation), "eta", "alpha", "t_0", "v", "t"),
 )
 """Behind the lengths of the profile: the material, and where a field is asked for."""
 

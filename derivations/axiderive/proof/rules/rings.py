@@ -7,6 +7,7 @@ is the largest of those at which the pressure vanishes at some place; it is writ
 from __future__ import annotations
 
 import itertools
+from collections.abc import Sequence
 
 import sympy as sp
 
@@ -163,13 +164,13 @@ def greatest_pressure(proof: Compact) -> list[str]:
     entry = proof.entry("pp")
     if (n := free_power(proof)) is not None:
         return _pressure_of_power(proof, entry, n)
-    rings = proof.entries["rp"].cases
+    rings, pressure = proof.entries["rp"].cases, proof.entry("p").cases
     require_regions(entry, tuple(case.chain for case in rings))
     if all(case.expr == 0 for case in rings):
-        return _pressure_on_axis(proof, entry)
+        return [_on_axis_is(proof, own, pressure) for own in entry.cases]
     (ring,), (own,) = rings, entry.cases
     if proof.entries["rp"].status != "root":
-        (whole,) = proof.entry("p").cases
+        (whole,) = pressure
         require(
             own.expr.is_positive and sign(whole.expr, proof.domain(whole.chain)) > 0, "{} > 0 is not shown", own.expr
         )
@@ -177,16 +178,13 @@ def greatest_pressure(proof: Compact) -> list[str]:
         squares = sp.expand(own.expr**2) - sp.expand((whole.expr**2).subs(r, ring.expr))
         return [require_zero(squares, proof.domain(ring.chain), "p_max^2 = p(r_max)^2, both positive")]
     (b,) = proof.profile.breaks
-    outer = next(case for case in proof.entry("p").cases if case.chain == (b, r, a))
+    outer = next(case for case in pressure if case.chain == (b, r, a))
     return [require_zero(own.expr.subs(r_peak, r) - outer.expr, proof.domain(outer.chain), "p_max = p(r_max), r > b")]
 
 
-def _pressure_on_axis(proof: Compact, entry: Entry) -> list[str]:
-    steps = list[str]()
-    for own in entry.cases:
-        whole = next(case.expr for case in proof.entry("p").cases if case.chain == (r, *own.chain))
-        steps.append(require_zero(own.expr - at(whole, r, sp.S.Zero), proof.domain(own.chain), "p_max = p(0)"))
-    return steps
+def _on_axis_is(proof: Compact, own: Case, pressure: Sequence[Case]) -> str:
+    whole = next(case.expr for case in pressure if case.chain == (r, *own.chain))
+    return require_zero(own.expr - at(whole, r, sp.S.Zero), proof.domain(own.chain), "p_max = p(0)")
 
 
 def _pressure_of_power(proof: Compact, entry: Entry, n: sp.Symbol) -> list[str]:
