@@ -22,6 +22,8 @@ from axiderive.oracle.evaluate import case_at, evaluated
 from axiderive.physics import cohesive
 from axiderive.profiles import COMPACT_NAMES, load
 from axiderive.proof.certificate import certify
+from axiderive.stable import measure
+from axiderive.stable.reference import BENCH, reference
 from axiderive.verifier.problem import Problem
 
 C = cohesive.cohesive
@@ -308,6 +310,17 @@ def test_the_module_keeps_its_digits_at_all_sizes_of_the_zone(name: str, ratio: 
         a, ratio = 0.45, min(ratio, 3.0)
     assert missed(name, a, ratio, share, 0.6) < 1e-13
     assert missed(name, a, ratio, share, 1.4) < 1e-13
+
+
+@pytest.mark.parametrize("suffix", ["c", "d", "F"])
+def test_errors_are_measured_at_the_root_of_the_zone(suffix: str) -> None:
+    """Of the double dgamma; with another length in the formula the value would be another one."""
+    entries = cohesive.derive(load("cone"))
+    evaluate = measure.function_of(entries[suffix], module("cone"))
+    for point in measure.samples(entries, suffix, BENCH, 4):
+        assert measure.ulps(measure.value(evaluate, point), point.exact) < 8.0
+        drawn = {**point.values, C: point.values[C] * 2.0}
+        assert reference(dict(entries), suffix, drawn)[1] != point.exact
 
 
 @pytest.mark.sweep

@@ -57,7 +57,7 @@ def record(
     suffixes : collection of str, optional
         The functions to measure; all of them where none are named.
     count, seed : int
-        Points in either domain, a tenth where the exact value is an integral; where they start.
+        Points in either domain, a tenth where the exact value is an integral, half at roots; where they start.
 
     Returns
     -------
@@ -82,7 +82,9 @@ def record(
         for suffix in wanted:
             entry = entries[suffix]
             row = _form(sources[found.module], entry) if system in OWN else {}
-            row["sample"] = {"seed": seed, "count": max(1, count_for(entry, count))}
+            # half of the points where every exact value is at a root
+            share = 1 if system.physics.solved is None else 2
+            row["sample"] = {"seed": seed, "count": max(1, count_for(entry, count) // share)}
             evaluate = partial(value, function_of(entry, module))
             rows[suffix] = row | _errors(entries, suffix, *_measured(entries, suffix, evaluate, row["sample"]))
     return rows
@@ -99,12 +101,11 @@ def _of_fields(found: Iterable[tuple[str, str, list[float], list[float]]]) -> di
 
 def _direct(entry: Entry, system: System) -> bool:
     """Whether the exact value is an enclosure of the printed formula, or a root of one, without an integral in it."""
-    known = entry.status == "closed" or is_inverse(entry)
+    solved = system.physics.solved
+    known = entry.status == "closed" or is_inverse(entry) or entry.quantity.symbol == solved
     if not known or any(case.expr.has(sp.Integral) for case in entry.cases):
         return False
-    if system.physics.solved is not None:
-        return False  # a length in it is the root of another entry
-    stated = system.physics.code is not None
+    stated = system.physics.code is not None or solved is not None
     return system in OWN or stated or entry.suffix in DIRECT and entry.profile.compact
 
 

@@ -20,6 +20,7 @@ from .. import notation as nt
 from ..entry import Case, Entry
 from ..oracle.balls import Ball, NotAvailableError, exact
 from ..oracle.shape import coefficient, concrete
+from ..physics.cohesive import cohesive
 from ..profiles.profile import Profile
 
 Floats = dict[Any, Any]
@@ -136,6 +137,8 @@ class Draw:
         if symbol == nt.dgamma:
             # an energy that pulls the surface by a visible part of the contact radius, or by none
             return self[nt.a] * 10 ** rng.uniform(-12, 12)
+        if symbol == nt.sigma_0:
+            return self[nt.E_star] * 10 ** rng.uniform(-12, 2)
         if symbol == nt.mu:
             return 10 ** rng.uniform(-3, 0)
         if symbol == nt.k:
@@ -204,7 +207,7 @@ class Draw:
         # a length of zero or infinity is drawn where a ratio leaves the range of doubles
         if not all(SMALLEST < abs(x) < LARGEST for x in numbers):
             return False
-        if self.profile.largest is not None and not self[nt.a] <= self.largest():
+        if self.profile.largest is not None and not max(self[nt.a], self.values.get(cohesive, 0.0)) <= self.largest():
             return False
         return all(self.number(rule.left) <= self.number(rule.right) for rule in self.profile.rules)
 
@@ -253,22 +256,26 @@ def reference(entries: dict[str, Entry], suffix: str, values: Floats) -> tuple[F
 
     For an inverse the point holds the contact radius; the depth or force is
     rounded to a double there, and the radius that belongs to it found again.
+    So is a length in a formula, which is the root of another entry.
     """
     entry = entries[suffix]
-    if not is_inverse(entry):
+    root = entry if is_inverse(entry) else _solved(entries, entry)
+    if root is None:
         return values, of_contact(entries, suffix, values)
-    target = float(enclosed(entries[entry.quantity.inverts], values, ()))
+    curve = entries[root.quantity.inverts]
+    target = float(enclosed(curve, values, ()))
     if not 2.3e-308 < target < 1.7e308:
         message = f"{entry.key}: the argument {target} is no normal number"
         raise UnknownError(message)
-    arguments = {**values, entry.quantity.arguments[0]: target}
+    arguments = {**values, curve.quantity.symbol: target}
     return arguments, _at(entries, suffix, arguments)
 
 
 def condition(entries: dict[str, Entry], suffix: str, arguments: Floats, held: Collection[sp.Symbol] = ()) -> float:
     """The sum of |d ln value/d ln x| over the arguments but for those that are `held`, by exact differences."""
     entry, total = entries[suffix], arb(0)
-    hidden = {*held, nt.a} if is_inverse(entry) else set(held)
+    solved = _solved(entries, entry)
+    hidden = {*held, nt.a} if is_inverse(entry) else {*held, solved.quantity.symbol} if solved else set(held)
     with ctx.workprec(4 * BITS):
         here = _at(entries, suffix, arguments, STEP + WANTED)
         for symbol, number in arguments.items():
@@ -355,11 +362,22 @@ def _between(missed: Callable[[arb], arb], low: arb, high: arb, message: str) ->
 
 def is_inverse(entry: Entry) -> bool:
     """Whether a depth or force of a growing contact is given, so that its radius has to be found."""
-    return bool(entry.quantity.inverts) and entry.quantity.symbol != nt.c and entry.profile.compact
+    own = entry.quantity
+    return bool(own.inverts) and own.symbol != nt.c and nt.a not in own.arguments and entry.profile.compact
+
+
+def _solved(entries: Mapping[str, Entry], entry: Entry) -> Entry | None:
+    """The entry of which a length in a formula, none of its arguments, is the root at a given contact radius."""
+    roots = (own for own in entries.values() if own.status == "root" and own.quantity.arguments == (nt.a,))
+    return next((own for own in roots if own.quantity.inverts and own.quantity.symbol not in entry.arguments), None)
 
 
 def _at(entries: dict[str, Entry], suffix: str, arguments: Floats, wanted: int = WANTED) -> arb:
     entry = entries[suffix]
+    if solved := _solved(entries, entry):
+        curve, symbol = entries[solved.quantity.inverts], solved.quantity.symbol
+        length = _root(curve, arguments, arguments[curve.quantity.symbol], symbol)
+        return length if entry is solved else enclosed(entry, arguments, ((symbol, length),), wanted)
     if not is_inverse(entry):
         return of_contact(entries, suffix, arguments, wanted)
     asked, (given,) = entry.quantity.symbol, entry.quantity.arguments
@@ -367,15 +385,15 @@ def _at(entries: dict[str, Entry], suffix: str, arguments: Floats, wanted: int =
     return radius if asked == nt.a else enclosed(entries[str(asked)], arguments, ((nt.a, radius),), wanted)
 
 
-def _root(curve: Entry, values: Floats, target: float | arb) -> arb:
+def _root(curve: Entry, values: Floats, target: float | arb, length: sp.Symbol = nt.a) -> arb:
     """Newton's iteration from the radius that was rounded away, its slope from a difference."""
     with ctx.workprec(4 * BITS):
-        radius = arb(values[nt.a])
+        radius = arb(values[length])
         for _ in range(4):
             step = radius * arb(2) ** (-2 * BITS)
-            value, ahead = (enclosed(curve, values, ((nt.a, x),), 2 * BITS + WANTED) for x in (radius, radius + step))
+            value, ahead = (enclosed(curve, values, ((length, x),), 2 * BITS + WANTED) for x in (radius, radius + step))
             radius = (radius - (value - target) * step / (ahead - value)).mid()
-        if not abs(enclosed(curve, values, ((nt.a, radius),), 2 * BITS) / target - 1) < arb(2) ** -BITS:
+        if not abs(enclosed(curve, values, ((length, radius),), 2 * BITS) / target - 1) < arb(2) ** -BITS:
             message = f"{curve.key}: no radius for {target}, next to a stationary value"
             raise UnknownError(message)
         return radius

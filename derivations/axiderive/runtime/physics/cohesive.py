@@ -219,7 +219,9 @@ def root_of_zone(
     """The q at which the gap at c is dgamma/sigma_0."""
     # the gap of the ring alone is nearly q**2/(2 a + q/EMPTY) of its load
     part = 0.25 * np.pi * (dgamma / sigma_0) * (E_star / sigma_0)
-    start = 0.5 * part / EMPTY + np.sqrt((0.5 * part / EMPTY) ** 2 + 2.0 * a * part)
+    wide = 0.5 / EMPTY * part
+    # roots apart: for lengths beyond 1e154 the product leaves the range
+    start = wide + np.hypot(wide, np.sqrt(2.0 * a) * np.sqrt(part))
     start = np.minimum(start, INSIDE * largest)
     # both parts of the gap there, as powers of q
     c, (gap, rate) = np.hypot(a, start), opened(start, a)
