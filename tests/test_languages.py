@@ -232,7 +232,9 @@ def in_python(group: str, name: str, of: str, count: int) -> tuple[list[list[Any
     sizes: np.ndarray = np.abs(values)
     if not one.part:
         arrays, named = [np.array([given[own] for given, _ in cases]) for own in fields], cases[0][1]
-        plain = size(f"{name}.{one.function}", group, fields, {own: named[own] for own in names}, *arrays)
+        # a cohesive zone pulls as adhesion does
+        pulled = group.replace("cohesive", "adhesive")
+        plain = size(f"{name}.{one.function}", pulled, fields, {own: named[own] for own in names}, *arrays)
         sizes = np.fmax(sizes, plain)
     return [[(given | named)[own] for own in order] for given, named in cases], values, sizes.tolist()
 
@@ -298,6 +300,20 @@ def test_ten_thousand_points_of_every_function(group: str, name: str) -> None:
     assert not worst, f"{len(worst)} values\n" + "\n".join(worst[:20])
     for _, beyond, total in judgements:
         assert len(beyond) <= RARE * total + 1, f"{len(beyond)} of {total} values differ by more than 4 units"
+
+
+@pytest.mark.parametrize("language", SPOKEN)
+def test_of_several_branches_the_right_one(language: str) -> None:
+    """Between waves there are many: the load is least at the start of one, and met on the last that has it."""
+    file, jobs, values = LANGUAGES[language](committed()), list[Job](), list[float]()
+    for one in asked("adhesive", "wavy_paraboloid"):
+        if (one.function, one.part) in (("pull_off", "radius"), ("radius_from_force", "")):
+            file.add(one)
+            given, known, _ = in_python("adhesive", "wavy_paraboloid", one.name, 3)
+            jobs += [(one.name, own) for own in given]
+            values += known
+    assert len(values) == 9
+    assert file.run(jobs) == pytest.approx(values, rel=1e-12)
 
 
 ENDS = (0.0, -1.0, math.nan, math.inf, 1e-40)
