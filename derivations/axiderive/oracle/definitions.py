@@ -60,11 +60,12 @@ def greatest(shape: Shape, a: Number, digits: int) -> tuple[Number, Number]:
         radii += [start + (a - start) * (mp.mpf(i) / DENSE) ** 2 for i in range(DENSE)]
         heights = [pressure(COARSE)(r) for r in radii]
         best = max(range(len(radii)), key=lambda i: heights[i])
-        if not radii[best]:
-            return mp.mpf(0), pressure(digits)(mp.mpf(0))
-        above = [*radii[1:], a][best] - radii[best]
-        scale = min(above, radii[best] - radii[best - 1])
-        rough = _vertex(pressure(COARSE), radii[best], scale / 2, a, scale)
+        if radii[best]:
+            above = [*radii[1:], a][best] - radii[best]
+            scale = min(above, radii[best] - radii[best - 1])
+            rough = _vertex(pressure(COARSE), radii[best], scale / 2, a, scale)
+    if not radii[best]:
+        return mp.mpf(0), pressure(digits)(mp.mpf(0))
     return stationary(pressure(digits), rough, scale)
 
 
