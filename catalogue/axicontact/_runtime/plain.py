@@ -77,15 +77,9 @@ def both(
     width: float = 1.0,
     lengths: tuple[tuple[float, int], ...] = STRIPS,
 ) -> tuple[float, float]:
-    """The integrals of both members of a pair from 0 to `stop`, from the same nodes, in as many panels as it takes."""
-    if stop != stop:
-        return stop, stop
-    panels = max(math.ceil(stop / width / lengths[-1][0]), 1)
-    nodes = rule(lengths)(stop / width / panels)
-    if panels > 1:
-        nodes = [((start + node) / panels, weight / panels) for start in range(panels) for node, weight in nodes]
-    first, second = [], []
-    for node, weight in nodes:
+    """The integrals of both members of a pair from 0 to `stop`, from the same nodes."""
+    first, second = list[float](), list[float]()
+    for node, weight in rule(lengths)(stop / width) if abs(stop) > 0.0 else ():
         x, y = integrand(node * stop)
         first.append(weight * x)
         second.append(weight * y)

@@ -118,7 +118,7 @@ def pull_off(control: str = "force", *, a: ArrayLike, h: ArrayLike, E_star: Arra
 
 
 def work_of_adhesion_from_pull_off(F: ArrayLike, *, a: ArrayLike, h: ArrayLike, E_star: ArrayLike) -> Result:
-    """Work of separation at which a contact breaks under the normal force F: the inverse of pull_off().force.
+    """Work of separation at which a contact breaks under the normal force F: the inverse of the force of pull_off.
 
     dgamma = (8*E_star*a*h - 3*abs(F))**2/(72*pi*E_star*a**3)
 

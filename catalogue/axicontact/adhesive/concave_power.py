@@ -127,7 +127,7 @@ def pull_off(
 def work_of_adhesion_from_pull_off(
     F: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLike, E_star: ArrayLike
 ) -> Result:
-    """Work of separation at which a contact breaks under the normal force F: the inverse of pull_off().force.
+    """Work of separation at which a contact breaks under the normal force F: the inverse of the force of pull_off.
 
     dgamma = (2*sqrt(pi)*E_star*a*h*n*gamma(n/2 + 1) - abs(F)*n*gamma(n/2 + 1/2) - abs(F)*gamma(n/2 +
     1/2))**2/(8*pi*E_star*a**3*(n + 1)**2*gamma(n/2 + 1/2)**2)

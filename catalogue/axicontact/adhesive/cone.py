@@ -424,7 +424,7 @@ def pull_off(control: str = "force", *, theta: ArrayLike, E_star: ArrayLike, dga
 
 
 def work_of_adhesion_from_pull_off(F: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike) -> Result:
-    """Work of separation at which a contact breaks under the normal force F: the inverse of pull_off().force.
+    """Work of separation at which a contact breaks under the normal force F: the inverse of the force of pull_off.
 
     dgamma = sqrt(6)*sqrt(pi)*sqrt(E_star)*sqrt(abs(F))*tan(theta)**(3/2)/18
 

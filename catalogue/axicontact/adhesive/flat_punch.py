@@ -116,7 +116,7 @@ def pull_off(control: str = "force", *, a: ArrayLike, E_star: ArrayLike, dgamma:
 
 
 def work_of_adhesion_from_pull_off(F: ArrayLike, *, a: ArrayLike, E_star: ArrayLike) -> Result:
-    """Work of separation at which a contact breaks under the normal force F: the inverse of pull_off().force.
+    """Work of separation at which a contact breaks under the normal force F: the inverse of the force of pull_off.
 
     dgamma = abs(F)**2/(8*pi*E_star*a**3)
 

@@ -424,7 +424,7 @@ def pull_off(control: str = "force", *, R: ArrayLike, E_star: ArrayLike, dgamma:
 
 
 def work_of_adhesion_from_pull_off(F: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
-    """Work of separation at which a contact breaks under the normal force F: the inverse of pull_off().force.
+    """Work of separation at which a contact breaks under the normal force F: the inverse of the force of pull_off.
 
     dgamma = 2*abs(F)/(3*pi*R)
 

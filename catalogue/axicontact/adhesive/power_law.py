@@ -472,7 +472,7 @@ def pull_off(control: str = "force", *, A: ArrayLike, n: ArrayLike, E_star: Arra
 
 
 def work_of_adhesion_from_pull_off(F: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Result:
-    """Work of separation at which a contact breaks under the normal force F: the inverse of pull_off().force.
+    """Work of separation at which a contact breaks under the normal force F: the inverse of the force of pull_off.
 
     dgamma = abs(F)**2*(8*pi**(3/2)*A**3*E_star**3*n**3*(2*n - 1)**3*gamma(n/2 + 1)**3/(27*abs(F)**3*(n +
     1)**3*gamma((n + 1)/2)**3))**(1/(n + 1))*(n + 1)**2/(2*pi*E_star*(2*n - 1)**2)

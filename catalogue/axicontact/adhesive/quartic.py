@@ -424,7 +424,7 @@ def pull_off(control: str = "force", *, A: ArrayLike, E_star: ArrayLike, dgamma:
 
 
 def work_of_adhesion_from_pull_off(F: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
-    """Work of separation at which a contact breaks under the normal force F: the inverse of pull_off().force.
+    """Work of separation at which a contact breaks under the normal force F: the inverse of the force of pull_off.
 
     dgamma = 20*14**(3/5)*45**(2/5)*A**(3/5)*abs(F)**(7/5)/(441*pi*E_star**(2/5))
 

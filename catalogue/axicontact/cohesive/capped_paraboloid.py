@@ -14,7 +14,6 @@ from .._runtime.integrals import difference_root
 from .._runtime.interface import Array, Result, either, elementwise, numbers, require_order
 from .._runtime.physics.adhesion import PullOff, require_control
 from .._runtime.physics.cohesive import (
-    SHORT,
     Separated,
     alone,
     lift_of_zone,
@@ -681,7 +680,7 @@ def radius_from_force(
 
 def _opened(q: Array, a: Array, R1: Array, R2: Array, b: Array) -> tuple[Array, Array]:
     """Gap of the normal contact at c, and its rate with c."""
-    tip, tip_rate = opening_tip(lambda t: normal._slope(t, R1), q, a, b, SHORT)
+    tip, tip_rate = opening_tip(lambda t: normal._slope(t, R1), q, a, b)
     beyond, rate = opening_beyond(lambda t, root: normal._slope_beyond(t, root, R1, R2, b), q, a, b)
     return tip + beyond, tip_rate + rate
 

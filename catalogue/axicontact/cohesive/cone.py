@@ -14,7 +14,7 @@ from .._runtime.integrals import difference_root
 from .._runtime.interface import Array, Result, either, elementwise, numbers, require, require_order
 from .._runtime.physics.adhesion import PullOff, require_control
 from .._runtime.physics.cohesive import (
-    SHORT,
+    POLYNOMIAL,
     Separated,
     alone,
     lift_of_zone,
@@ -558,7 +558,7 @@ def radius_from_force(
 
 def _opened(q: Array, a: Array, theta: Array) -> tuple[Array, Array]:
     """Gap of the normal contact at c, and its rate with c."""
-    return opening(lambda t: normal._slope(t, theta), q, a, SHORT)
+    return opening(lambda t: normal._slope(t, theta), q, a, POLYNOMIAL)
 
 
 def _zone(a: Array, theta: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:

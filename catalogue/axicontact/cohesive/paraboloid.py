@@ -14,7 +14,7 @@ from .._runtime.integrals import difference_root
 from .._runtime.interface import Array, Result, either, elementwise, numbers, require, require_order
 from .._runtime.physics.adhesion import PullOff, require_control
 from .._runtime.physics.cohesive import (
-    SHORT,
+    POLYNOMIAL,
     Separated,
     alone,
     lift_of_zone,
@@ -551,7 +551,7 @@ def radius_from_force(
 
 def _opened(q: Array, a: Array, R: Array) -> tuple[Array, Array]:
     """Gap of the normal contact at c, and its rate with c."""
-    return opening(lambda t: normal._slope(t, R), q, a, SHORT)
+    return opening(lambda t: normal._slope(t, R), q, a, POLYNOMIAL)
 
 
 def _zone(a: Array, R: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:

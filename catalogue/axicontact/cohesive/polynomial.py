@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from .._runtime.functions import depth_over_height
 from .._runtime.integrals import difference_root
 from .._runtime.interface import (
     Array,
@@ -23,7 +24,7 @@ from .._runtime.interface import (
 )
 from .._runtime.physics.adhesion import PullOff, require_control
 from .._runtime.physics.cohesive import (
-    NODES,
+    ENTIRE,
     Separated,
     alone,
     lift_of_zone,
@@ -579,7 +580,8 @@ def radius_from_force(
 
 def _opened(q: Array, a: Array, A: tuple[float, ...]) -> tuple[Array, Array]:
     """Gap of the normal contact at c, and its rate with c."""
-    return opening(lambda t: normal._slope(t, A), q, a, NODES)
+    terms = [(j - 1, j * depth_over_height(j) * A_j) for j, A_j in enumerate(A, 1)]
+    return opening(lambda t: sum(rate * t**power for power, rate in terms), q, a, ENTIRE)
 
 
 def _zone(a: Array, A: tuple[float, ...], E_star: Array, dgamma: Array, sigma_0: Array) -> Array:

@@ -14,7 +14,6 @@ from .._runtime.integrals import difference_root
 from .._runtime.interface import Array, Result, either, elementwise, numbers, require, require_order
 from .._runtime.physics.adhesion import PullOff, require_control
 from .._runtime.physics.cohesive import (
-    SHORT,
     Separated,
     alone,
     lift_of_zone,
@@ -609,7 +608,7 @@ def radius_from_force(
 
 def _opened(q: Array, a: Array, theta: Array, b: Array) -> tuple[Array, Array]:
     """Gap of the normal contact at c, and its rate with c."""
-    tip, tip_rate = opening_tip(lambda t: normal._slope(t, theta, b), q, a, b, SHORT)
+    tip, tip_rate = opening_tip(lambda t: normal._slope(t, theta, b), q, a, b)
     beyond, rate = opening_beyond(lambda t, root: normal._slope_beyond(t, root, theta, b), q, a, b)
     return tip + beyond, tip_rate + rate
 

@@ -14,7 +14,6 @@ from .._runtime.integrals import difference_root
 from .._runtime.interface import Array, Result, either, elementwise, numbers, require, require_order
 from .._runtime.physics.adhesion import PullOff, require_control
 from .._runtime.physics.cohesive import (
-    TIP,
     Separated,
     alone,
     lift_of_zone,
@@ -564,7 +563,7 @@ def radius_from_force(
 def _opened(q: Array, a: Array, R: Array, theta: Array) -> tuple[Array, Array]:
     """Gap of the normal contact at c, and its rate with c."""
     b = R * np.sin(theta)
-    tip, tip_rate = opening_tip(lambda t: normal._slope(t, np.sqrt((R - t) * (R + t)), R), q, a, b, TIP)
+    tip, tip_rate = opening_tip(lambda t: normal._slope(t, np.sqrt((R - t) * (R + t)), R), q, a, b, R)
     beyond, rate = opening_beyond(lambda t, root: normal._slope_beyond(t, root, R, theta), q, a, b)
     return tip + beyond, tip_rate + rate
 

@@ -14,7 +14,7 @@ from .._runtime.inverse import inverse
 from .._runtime.rules import displacement_integral_sinh, pressure_integral_sinh
 from .._runtime.shapes.energy import energy_integral
 from .._runtime.shapes.load_within import load_within_integral
-from .._runtime.special import arctan_gap
+from .._runtime.special import PeakPressure, arctan_gap
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -28,6 +28,7 @@ __all__ = [
     "force_from_depth",
     "load_within",
     "mean_pressure",
+    "peak_pressure",
     "pressure",
     "profile",
     "radius_from_depth",
@@ -578,6 +579,56 @@ def depth_from_force(F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: Ar
     return elementwise(_depth_from_force, F, theta=theta, b=b, E_star=E_star)
 
 
+def peak_pressure(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> PeakPressure:
+    """Greatest pressure, and the radius of the ring on which it is.
+
+    p_peak = E_star*(ArctanIntegral(a/b) + atan(a/b))*tan(theta)/pi
+    with ArctanIntegral: Ti_2(x) = int_0^x atan(t)/t dt = Im Li_2(i x)
+    r_peak = 0
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Length of the rounded tip, whose radius of curvature is b/tan(theta) [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    PeakPressure
+        Named tuple of pressure [Pa] and radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Evaluated as an integral over the
+    growing contact by a Gauss-Legendre rule. Handbook: hyperboloid.rp, hyperboloid.pp.
+
+    References
+    ----------
+    chapter 11, equation (11.23); Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import hyperboloid
+    >>> value = hyperboloid.peak_pressure(1.0, theta=0.42, b=0.4, E_star=1.0)
+    >>> round(value.pressure, 6)
+    0.429695
+    """
+    require(theta=theta, b=b, E_star=E_star)
+    pressure = elementwise(_peak_pressure, a, theta=theta, b=b, E_star=E_star)
+    radius = elementwise(_peak_radius, a, unused=(theta, b, E_star))
+    return PeakPressure(pressure, radius)
+
+
 def energy(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Elastic energy, the work of pressing the indenter in.
 
@@ -722,6 +773,14 @@ def _stiffness(a: Array, E_star: Array) -> Array:
 
 def _mean_pressure(a: Array, theta: Array, b: Array, E_star: Array) -> Array:
     return np.where(a > 0.0, _force(a, theta, b, E_star) / (np.pi * a**2), 0.0)
+
+
+def _peak_radius(a: Array) -> Array:
+    return np.zeros_like(a)
+
+
+def _peak_pressure(a: Array, theta: Array, b: Array, E_star: Array) -> Array:
+    return _pressure(np.zeros_like(a), a, theta, b, E_star)
 
 
 def _energy(a: Array, theta: Array, b: Array, E_star: Array) -> Array:

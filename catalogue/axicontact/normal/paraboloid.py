@@ -12,6 +12,7 @@ import numpy as np
 from .._runtime.functions import beside
 from .._runtime.interface import Array, Plain, Result, elementwise, require
 from .._runtime.kernels import OUTSIDE_2
+from .._runtime.special import PeakPressure
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -25,6 +26,7 @@ __all__ = [
     "force_from_depth",
     "load_within",
     "mean_pressure",
+    "peak_pressure",
     "pressure",
     "profile",
     "radius_from_depth",
@@ -543,6 +545,52 @@ def depth_from_force(F: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result
     return elementwise(_depth_from_force, F, R=R, E_star=E_star)
 
 
+def peak_pressure(a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> PeakPressure:
+    """Greatest pressure, and the radius of the ring on which it is.
+
+    p_peak = 2*E_star*a/(pi*R)
+    r_peak = 0
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    PeakPressure
+        Named tuple of pressure [Pa] and radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R. Negative or NaN field values give NaN. Handbook: paraboloid.rp, paraboloid.pp.
+
+    References
+    ----------
+    chapter 11, equation (11.23); Hertz 1882; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import paraboloid
+    >>> value = paraboloid.peak_pressure(1.0, R=1.6, E_star=1.0)
+    >>> round(value.pressure, 6)
+    0.397887
+    """
+    require(R=R, E_star=E_star)
+    pressure = elementwise(_peak_pressure, a, R=R, E_star=E_star)
+    radius = elementwise(_peak_radius, a, unused=(R, E_star))
+    return PeakPressure(pressure, radius)
+
+
 def energy(a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
     """Elastic energy, the work of pressing the indenter in.
 
@@ -672,6 +720,14 @@ def _stiffness(a: Array, E_star: Array) -> Array:
 
 def _mean_pressure(a: Array, R: Array, E_star: Array) -> Array:
     return 4 * E_star / (3 * np.pi * R) * a
+
+
+def _peak_radius(a: Array) -> Array:
+    return np.zeros_like(a)
+
+
+def _peak_pressure(a: Array, R: Array, E_star: Array) -> Array:
+    return _pressure(np.zeros_like(a), a, R, E_star)
 
 
 def _energy(a: Array, R: Array, E_star: Array) -> Array:

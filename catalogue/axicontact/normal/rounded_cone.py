@@ -16,6 +16,7 @@ from .._runtime.rules import displacement_integral_beyond, pressure_integral_bey
 from .._runtime.shapes.across import inverse_beyond
 from .._runtime.shapes.energy import energy_integral, energy_integral_beyond
 from .._runtime.shapes.load_within import load_within_integral, load_within_integral_beyond
+from .._runtime.special import PeakPressure
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -29,6 +30,7 @@ __all__ = [
     "force_from_depth",
     "load_within",
     "mean_pressure",
+    "peak_pressure",
     "pressure",
     "profile",
     "radius_from_depth",
@@ -595,6 +597,58 @@ def depth_from_force(F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: Ar
     return elementwise(_depth_from_force, F, theta=theta, b=b, E_star=E_star)
 
 
+def peak_pressure(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> PeakPressure:
+    """Greatest pressure, and the radius of the ring on which it is.
+
+    p_peak = 2*E_star*a*tan(theta)/(pi*b)   for a < b
+    p_peak = E_star*(2*a/b + C0(b, 0, a) + 2*asin(sqrt(a**2 - b**2)/a) - 2*sqrt(a**2 - b**2)/b)*tan(theta)/pi
+    for b < a
+    with C0(b, r, a) = int_{max(b, r)}^a acos(b/t) / sqrt(t**2 - r**2) dt, for 0 <= b, r < a
+    r_peak = 0
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the inner part [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    PeakPressure
+        Named tuple of pressure [Pa] and radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Evaluated as an integral over the
+    growing contact by a Gauss-Legendre rule. Handbook: rounded_cone.rp, rounded_cone.pp.
+
+    References
+    ----------
+    chapter 11, equation (11.23); Ciavarella 1999; Maugis & Barquins 1983.
+
+    Examples
+    --------
+    >>> from axicontact.normal import rounded_cone
+    >>> value = rounded_cone.peak_pressure(1.0, theta=0.42, b=0.5, E_star=1.0)
+    >>> round(value.pressure, 6)
+    0.446028
+    """
+    require(theta=theta, b=b, E_star=E_star)
+    pressure = elementwise(_peak_pressure, a, theta=theta, b=b, E_star=E_star)
+    radius = elementwise(_peak_radius, a, unused=(theta, b, E_star))
+    return PeakPressure(pressure, radius)
+
+
 def energy(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Elastic energy, the work of pressing the indenter in.
 
@@ -766,6 +820,14 @@ def _mean_pressure(a: Array, theta: Array, b: Array, E_star: Array) -> Array:
     angle = np.arctan(root / b)
     beyond = E_star * np.tan(theta) / np.pi * (angle + 4 * b / (3 * (root + a)) + b * root / (3 * a**2))
     return np.where(a < b, tip, beyond)
+
+
+def _peak_radius(a: Array) -> Array:
+    return np.zeros_like(a)
+
+
+def _peak_pressure(a: Array, theta: Array, b: Array, E_star: Array) -> Array:
+    return _pressure(np.zeros_like(a), a, theta, b, E_star)
 
 
 def _energy(a: Array, theta: Array, b: Array, E_star: Array) -> Array:

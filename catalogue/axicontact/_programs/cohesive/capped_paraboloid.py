@@ -13,8 +13,8 @@ from ..._programs.bodies.cohesive import capped_paraboloid as bodies
 C0 = np.array(3.0)
 C1 = np.array(2.0)
 C2 = np.array(4.0)
-RULE_0 = rule(((inf, 16),))
-RULE_1 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
+RULE_0 = rule(((0.45, 8), (inf, 16)))
+RULE_1 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64), (18.03, 128)))
 
 
 def cohesive_radius(a, R1, R2, b, E_star, dgamma, sigma_0):
@@ -225,51 +225,46 @@ def without_contact_depth(c, R1, R2, b, E_star, dgamma, sigma_0):
             else:
                 v27 = v9
             v28 = v9 - v27
-            v42 = []
+            v43 = []
             for node, weight in RULE_0(v28 / 1.0):
                 v30 = node * v28
                 v31 = v27 + v30
-                v33 = v8 * cos(v31)
-                v40 = 2.0 * (v33 if v33 < b or v33 != v33 else b) / R1 * v31 * sin(v31)
-                v42.append(weight * v40)
-            v42 = fsum(v42) * v28
-            v59 = 0.0 - b
-            v63 = sqrt((v59 if v59 > 0.0 or v59 != v59 else 0.0) * (0.0 + b))
-            v65 = v20 if v10 else hypot(v63, c)
-            v66 = v65 if v10 else c
-            v67 = v66 > 0.0
-            if v67:
-                v68 = v65 if v67 else b
-                v69 = v66 if v67 else b
-                v71 = asinh(b / v68)
-                v75 = 1.5707963267948966 / v71
-                v76 = atan2(v63, v69) / v71
-                v77 = asinh(v75)
-                v91 = asinh(atan2(v69, v63) / v71 * (v75 + v76) / (v75 * sqrt(1.0 + v76 * v76) + v76 * sqrt(1.0 + v75 * v75)))
-                v93 = 2.0 * v71
-                v105 = b * b
-                v111 = R1 - R2
-                v113 = R1 * R2
-                v114 = 2.0 * v111 / v113
-                v118 = b * b * v111
-                v132 = []
-                for node, weight in RULE_1(v91 / 1.0):
-                    v92 = node * v91
-                    v95 = 0.5 * v92
-                    v100 = v93 * cosh(v77 - v95) * sinh(v95)
-                    v102 = v68 * cos(v100)
-                    v104 = v68 * sin(v100)
-                    v108 = sqrt(v105 + v102 * v102)
-                    v130 = (2.0 * v108 / R1 + v114 * v102 + v118 / (v113 * v102)) * v102 * v71 * cosh(v77 - v92) * atan2(v104, v108) * (v104 / v108)
-                    v132.append(weight * v130)
-                v132 = fsum(v132) * v91
-                v166 = 0.6366197723675814 * v132
-            else:
-                v166 = 0.0
-            v173 = sigma_0 / E_star
-            v177 = 0.6366197723675814 * v8 * v42 + v166 - dgamma / sigma_0 - 1.2732395447351628 * v173 * c
-            if v177 <= -(2.0 * v173 * c):
-                value = v177
+                v34 = abs(v8 * cos(v31))
+                v41 = 2.0 * (v34 if v34 < b or v34 != v34 else b) / R1 * v31 * sin(v31)
+                v43.append(weight * v41)
+            v43 = fsum(v43) * v28
+            v49 = 0.0 - b
+            v53 = sqrt((v49 if v49 > 0.0 or v49 != v49 else 0.0) * (0.0 + b))
+            v55 = v20 if v10 else hypot(v53, c)
+            v56 = v55 if v10 else c
+            v58 = v55 if v56 > 0.0 else b
+            v60 = asinh(b / v58)
+            v64 = 1.5707963267948966 / v60
+            v65 = atan2(v53, v56) / v60
+            v66 = asinh(v64)
+            v80 = asinh(atan2(v56, v53) / v60 * (v64 + v65) / (v64 * sqrt(1.0 + v65 * v65) + v65 * sqrt(1.0 + v64 * v64)))
+            v82 = 2.0 * v60
+            v96 = b * b
+            v102 = R1 - R2
+            v104 = R1 * R2
+            v105 = 2.0 * v102 / v104
+            v109 = b * b * v102
+            v123 = []
+            for node, weight in RULE_1(v80 / 1.0):
+                v81 = node * v80
+                v84 = 0.5 * v81
+                v89 = v82 * cosh(v66 - v84) * sinh(v84)
+                v90 = cos(v89)
+                v93 = v58 * (v90 if v90 > 1e-17 or v90 != v90 else 1e-17)
+                v95 = v58 * sin(v89)
+                v99 = sqrt(v96 + v93 * v93)
+                v121 = (2.0 * v99 / R1 + v105 * v93 + v109 / (v104 * v93)) * v93 * v60 * cosh(v66 - v81) * atan2(v95, v99) * (v95 / v99)
+                v123.append(weight * v121)
+            v123 = fsum(v123) * v80
+            v131 = sigma_0 / E_star
+            v135 = 0.6366197723675814 * v8 * v43 + 0.6366197723675814 * v123 - dgamma / sigma_0 - 1.2732395447351628 * v131 * c
+            if v135 <= -(2.0 * v131 * c):
+                value = v135
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 if value != value and ordinary(c, R1, R2, b, E_star, dgamma, sigma_0):
@@ -302,49 +297,44 @@ def without_contact_force(c, R1, R2, b, E_star, dgamma, sigma_0):
             else:
                 v27 = v9
             v28 = v9 - v27
-            v42 = []
+            v43 = []
             for node, weight in RULE_0(v28 / 1.0):
                 v30 = node * v28
                 v31 = v27 + v30
-                v33 = v8 * cos(v31)
-                v40 = 2.0 * (v33 if v33 < b or v33 != v33 else b) / R1 * v31 * sin(v31)
-                v42.append(weight * v40)
-            v42 = fsum(v42) * v28
-            v59 = 0.0 - b
-            v63 = sqrt((v59 if v59 > 0.0 or v59 != v59 else 0.0) * (0.0 + b))
-            v65 = v20 if v10 else hypot(v63, c)
-            v66 = v65 if v10 else c
-            v67 = v66 > 0.0
-            if v67:
-                v68 = v65 if v67 else b
-                v69 = v66 if v67 else b
-                v71 = asinh(b / v68)
-                v75 = 1.5707963267948966 / v71
-                v76 = atan2(v63, v69) / v71
-                v77 = asinh(v75)
-                v91 = asinh(atan2(v69, v63) / v71 * (v75 + v76) / (v75 * sqrt(1.0 + v76 * v76) + v76 * sqrt(1.0 + v75 * v75)))
-                v93 = 2.0 * v71
-                v105 = b * b
-                v111 = R1 - R2
-                v113 = R1 * R2
-                v114 = 2.0 * v111 / v113
-                v118 = b * b * v111
-                v132 = []
-                for node, weight in RULE_1(v91 / 1.0):
-                    v92 = node * v91
-                    v95 = 0.5 * v92
-                    v100 = v93 * cosh(v77 - v95) * sinh(v95)
-                    v102 = v68 * cos(v100)
-                    v104 = v68 * sin(v100)
-                    v108 = sqrt(v105 + v102 * v102)
-                    v130 = (2.0 * v108 / R1 + v114 * v102 + v118 / (v113 * v102)) * v102 * v71 * cosh(v77 - v92) * atan2(v104, v108) * (v104 / v108)
-                    v132.append(weight * v130)
-                v132 = fsum(v132) * v91
-                v166 = 0.6366197723675814 * v132
-            else:
-                v166 = 0.0
-            v173 = sigma_0 / E_star
-            if 0.6366197723675814 * v8 * v42 + v166 - dgamma / sigma_0 - 1.2732395447351628 * v173 * c <= -(2.0 * v173 * c):
+                v34 = abs(v8 * cos(v31))
+                v41 = 2.0 * (v34 if v34 < b or v34 != v34 else b) / R1 * v31 * sin(v31)
+                v43.append(weight * v41)
+            v43 = fsum(v43) * v28
+            v49 = 0.0 - b
+            v53 = sqrt((v49 if v49 > 0.0 or v49 != v49 else 0.0) * (0.0 + b))
+            v55 = v20 if v10 else hypot(v53, c)
+            v56 = v55 if v10 else c
+            v58 = v55 if v56 > 0.0 else b
+            v60 = asinh(b / v58)
+            v64 = 1.5707963267948966 / v60
+            v65 = atan2(v53, v56) / v60
+            v66 = asinh(v64)
+            v80 = asinh(atan2(v56, v53) / v60 * (v64 + v65) / (v64 * sqrt(1.0 + v65 * v65) + v65 * sqrt(1.0 + v64 * v64)))
+            v82 = 2.0 * v60
+            v96 = b * b
+            v102 = R1 - R2
+            v104 = R1 * R2
+            v105 = 2.0 * v102 / v104
+            v109 = b * b * v102
+            v123 = []
+            for node, weight in RULE_1(v80 / 1.0):
+                v81 = node * v80
+                v84 = 0.5 * v81
+                v89 = v82 * cosh(v66 - v84) * sinh(v84)
+                v90 = cos(v89)
+                v93 = v58 * (v90 if v90 > 1e-17 or v90 != v90 else 1e-17)
+                v95 = v58 * sin(v89)
+                v99 = sqrt(v96 + v93 * v93)
+                v121 = (2.0 * v99 / R1 + v105 * v93 + v109 / (v104 * v93)) * v93 * v60 * cosh(v66 - v81) * atan2(v95, v99) * (v95 / v99)
+                v123.append(weight * v121)
+            v123 = fsum(v123) * v80
+            v131 = sigma_0 / E_star
+            if 0.6366197723675814 * v8 * v43 + 0.6366197723675814 * v123 - dgamma / sigma_0 - 1.2732395447351628 * v131 * c <= -(2.0 * v131 * c):
                 value = -3.141592653589793 * sigma_0 * c * c
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
@@ -380,48 +370,43 @@ def work_of_separation(a, c, R1, R2, b, E_star, sigma_0):
             else:
                 v32 = v14
             v33 = v14 - v32
-            v47 = []
+            v48 = []
             for node, weight in RULE_0(v33 / 1.0):
                 v35 = node * v33
                 v36 = v32 + v35
-                v38 = v13 * cos(v36)
-                v45 = 2.0 * (v38 if v38 < b or v38 != v38 else b) / R1 * v36 * sin(v36)
-                v47.append(weight * v45)
-            v47 = fsum(v47) * v33
-            v64 = a - b
-            v68 = sqrt((v64 if v64 > 0.0 or v64 != v64 else 0.0) * (a + b))
-            v70 = v25 if v15 else hypot(v68, v12)
-            v71 = v70 if v15 else v12
-            v72 = v71 > 0.0
-            if v72:
-                v73 = v70 if v72 else b
-                v74 = v71 if v72 else b
-                v76 = asinh(b / v73)
-                v80 = 1.5707963267948966 / v76
-                v81 = atan2(v68, v74) / v76
-                v82 = asinh(v80)
-                v96 = asinh(atan2(v74, v68) / v76 * (v80 + v81) / (v80 * sqrt(1.0 + v81 * v81) + v81 * sqrt(1.0 + v80 * v80)))
-                v98 = 2.0 * v76
-                v110 = b * b
-                v116 = R1 - R2
-                v118 = R1 * R2
-                v119 = 2.0 * v116 / v118
-                v123 = b * b * v116
-                v137 = []
-                for node, weight in RULE_1(v96 / 1.0):
-                    v97 = node * v96
-                    v100 = 0.5 * v97
-                    v105 = v98 * cosh(v82 - v100) * sinh(v100)
-                    v107 = v73 * cos(v105)
-                    v109 = v73 * sin(v105)
-                    v113 = sqrt(v110 + v107 * v107)
-                    v135 = (2.0 * v113 / R1 + v119 * v107 + v123 / (v118 * v107)) * v107 * v76 * cosh(v82 - v97) * atan2(v109, v113) * (v109 / v113)
-                    v137.append(weight * v135)
-                v137 = fsum(v137) * v96
-                v171 = 0.6366197723675814 * v137
-            else:
-                v171 = 0.0
-            value = sigma_0 * (0.6366197723675814 * v13 * v47 + v171 + 1.2732395447351628 * (sigma_0 / E_star) * v12 * (v14 - v12 / (v13 + a)))
+                v39 = abs(v13 * cos(v36))
+                v46 = 2.0 * (v39 if v39 < b or v39 != v39 else b) / R1 * v36 * sin(v36)
+                v48.append(weight * v46)
+            v48 = fsum(v48) * v33
+            v54 = a - b
+            v58 = sqrt((v54 if v54 > 0.0 or v54 != v54 else 0.0) * (a + b))
+            v60 = v25 if v15 else hypot(v58, v12)
+            v61 = v60 if v15 else v12
+            v63 = v60 if v61 > 0.0 else b
+            v65 = asinh(b / v63)
+            v69 = 1.5707963267948966 / v65
+            v70 = atan2(v58, v61) / v65
+            v71 = asinh(v69)
+            v85 = asinh(atan2(v61, v58) / v65 * (v69 + v70) / (v69 * sqrt(1.0 + v70 * v70) + v70 * sqrt(1.0 + v69 * v69)))
+            v87 = 2.0 * v65
+            v101 = b * b
+            v107 = R1 - R2
+            v109 = R1 * R2
+            v110 = 2.0 * v107 / v109
+            v114 = b * b * v107
+            v128 = []
+            for node, weight in RULE_1(v85 / 1.0):
+                v86 = node * v85
+                v89 = 0.5 * v86
+                v94 = v87 * cosh(v71 - v89) * sinh(v89)
+                v95 = cos(v94)
+                v98 = v63 * (v95 if v95 > 1e-17 or v95 != v95 else 1e-17)
+                v100 = v63 * sin(v94)
+                v104 = sqrt(v101 + v98 * v98)
+                v126 = (2.0 * v104 / R1 + v110 * v98 + v114 / (v109 * v98)) * v98 * v65 * cosh(v71 - v86) * atan2(v100, v104) * (v100 / v104)
+                v128.append(weight * v126)
+            v128 = fsum(v128) * v85
+            value = sigma_0 * (0.6366197723675814 * v13 * v48 + 0.6366197723675814 * v128 + 1.2732395447351628 * (sigma_0 / E_star) * v12 * (v14 - v12 / (v13 + a)))
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             if value != value and ordinary(a, c, R1, R2, b, E_star, sigma_0):

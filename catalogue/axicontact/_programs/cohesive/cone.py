@@ -13,7 +13,7 @@ from ..._programs.bodies.cohesive import cone as bodies
 C0 = np.array(3.141592653589793)
 C1 = np.array(2.0)
 C2 = np.array(0.5)
-RULE_0 = rule(((inf, 16),))
+RULE_0 = rule(((0.45, 8), (inf, 16)))
 
 
 def cohesive_radius(a, theta, E_star, dgamma, sigma_0):
@@ -193,10 +193,10 @@ def without_contact_depth(c, theta, E_star, dgamma, sigma_0):
                 v20 = v17 * v10 * sin(v10)
                 v22.append(weight * v20)
             v22 = fsum(v22) * v7
-            v38 = sigma_0 / E_star
-            v42 = 0.6366197723675814 * hypot(0.0, c) * v22 - dgamma / sigma_0 - 1.2732395447351628 * v38 * c
-            if v42 <= -(2.0 * v38 * c):
-                value = v42
+            v30 = sigma_0 / E_star
+            v34 = 0.6366197723675814 * hypot(0.0, c) * v22 - dgamma / sigma_0 - 1.2732395447351628 * v30 * c
+            if v34 <= -(2.0 * v30 * c):
+                value = v34
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 if value != value and ordinary(c, theta, E_star, dgamma, sigma_0):
@@ -225,8 +225,8 @@ def without_contact_force(c, theta, E_star, dgamma, sigma_0):
                 v20 = v17 * v10 * sin(v10)
                 v22.append(weight * v20)
             v22 = fsum(v22) * v7
-            v38 = sigma_0 / E_star
-            if 0.6366197723675814 * hypot(0.0, c) * v22 - dgamma / sigma_0 - 1.2732395447351628 * v38 * c <= -(2.0 * v38 * c):
+            v30 = sigma_0 / E_star
+            if 0.6366197723675814 * hypot(0.0, c) * v22 - dgamma / sigma_0 - 1.2732395447351628 * v30 * c <= -(2.0 * v30 * c):
                 value = -3.141592653589793 * sigma_0 * c * c
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value

@@ -24,7 +24,7 @@ C10 = np.array(2.0203143566039827e-05)
 C11 = np.array(0.001617010334189783)
 C12 = np.array(0.03639274880225476)
 C13 = np.array(0.32215749846441627)
-RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
+RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64), (18.03, 128)))
 
 
 def cohesive_radius(a, h, b, E_star, dgamma, sigma_0):
@@ -251,27 +251,23 @@ def without_contact_depth(c, h, b, E_star, dgamma, sigma_0):
             v18 = sqrt((v14 if v14 > 0.0 or v14 != v14 else 0.0) * (v13 + c))
             v20 = asinh(v18 / v7)
             v21 = v20 > 0.0
-            if v21:
-                v23 = v20 if v21 else 1.0
-                v25 = asinh(atan2(c, 0.0) / v23)
-                v37 = h / b
-                v50 = []
-                for node, weight in RULE_0(v25 / 0.7):
-                    v27 = node * v25
-                    v29 = v23 * sinh(v27)
-                    v30 = sin(v29)
-                    v32 = v7 * cos(v29)
-                    v34 = hypot(v18, v7 * v30)
-                    v48 = (v37 * asinh(v32 / v34) + h * v32 / (v34 * v34)) * v23 * cosh(v27) * v29 * v30
-                    v50.append(weight * v48)
-                v50 = fsum(v50) * v25
-                v77 = 0.6366197723675814 * v7 * v50
-            else:
-                v77 = inf
-            v82 = sigma_0 / E_star
-            v86 = v77 - dgamma / sigma_0 - 1.2732395447351628 * v82 * c
-            if v86 <= -(2.0 * v82 * c):
-                value = v86
+            v23 = v20 if v21 else 1.0
+            v25 = asinh(atan2(c, 0.0) / v23)
+            v37 = h / b
+            v50 = []
+            for node, weight in RULE_0(v25 / 0.7):
+                v27 = node * v25
+                v29 = v23 * sinh(v27)
+                v30 = sin(v29)
+                v32 = v7 * cos(v29)
+                v34 = hypot(v18, v7 * v30)
+                v48 = (v37 * asinh(v32 / v34) + h * v32 / (v34 * v34)) * v23 * cosh(v27) * v29 * v30
+                v50.append(weight * v48)
+            v50 = fsum(v50) * v25
+            v60 = sigma_0 / E_star
+            v64 = (0.6366197723675814 if v21 else inf) * v7 * v50 - dgamma / sigma_0 - 1.2732395447351628 * v60 * c
+            if v64 <= -(2.0 * v60 * c):
+                value = v64
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 if value != value and ordinary(c, h, b, E_star, dgamma, sigma_0):
@@ -298,25 +294,21 @@ def without_contact_force(c, h, b, E_star, dgamma, sigma_0):
             v18 = sqrt((v14 if v14 > 0.0 or v14 != v14 else 0.0) * (v13 + c))
             v20 = asinh(v18 / v7)
             v21 = v20 > 0.0
-            if v21:
-                v23 = v20 if v21 else 1.0
-                v25 = asinh(atan2(c, 0.0) / v23)
-                v37 = h / b
-                v50 = []
-                for node, weight in RULE_0(v25 / 0.7):
-                    v27 = node * v25
-                    v29 = v23 * sinh(v27)
-                    v30 = sin(v29)
-                    v32 = v7 * cos(v29)
-                    v34 = hypot(v18, v7 * v30)
-                    v48 = (v37 * asinh(v32 / v34) + h * v32 / (v34 * v34)) * v23 * cosh(v27) * v29 * v30
-                    v50.append(weight * v48)
-                v50 = fsum(v50) * v25
-                v77 = 0.6366197723675814 * v7 * v50
-            else:
-                v77 = inf
-            v82 = sigma_0 / E_star
-            if v77 - dgamma / sigma_0 - 1.2732395447351628 * v82 * c <= -(2.0 * v82 * c):
+            v23 = v20 if v21 else 1.0
+            v25 = asinh(atan2(c, 0.0) / v23)
+            v37 = h / b
+            v50 = []
+            for node, weight in RULE_0(v25 / 0.7):
+                v27 = node * v25
+                v29 = v23 * sinh(v27)
+                v30 = sin(v29)
+                v32 = v7 * cos(v29)
+                v34 = hypot(v18, v7 * v30)
+                v48 = (v37 * asinh(v32 / v34) + h * v32 / (v34 * v34)) * v23 * cosh(v27) * v29 * v30
+                v50.append(weight * v48)
+            v50 = fsum(v50) * v25
+            v60 = sigma_0 / E_star
+            if (0.6366197723675814 if v21 else inf) * v7 * v50 - dgamma / sigma_0 - 1.2732395447351628 * v60 * c <= -(2.0 * v60 * c):
                 value = -3.141592653589793 * sigma_0 * c * c
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
@@ -347,24 +339,20 @@ def work_of_separation(a, c, h, b, E_star, sigma_0):
             v23 = sqrt((v19 if v19 > 0.0 or v19 != v19 else 0.0) * (v18 + v11))
             v25 = asinh(v23 / v12)
             v26 = v25 > 0.0
-            if v26:
-                v28 = v25 if v26 else 1.0
-                v30 = asinh(v13 / v28)
-                v42 = h / b
-                v55 = []
-                for node, weight in RULE_0(v30 / 0.7):
-                    v32 = node * v30
-                    v34 = v28 * sinh(v32)
-                    v35 = sin(v34)
-                    v37 = v12 * cos(v34)
-                    v39 = hypot(v23, v12 * v35)
-                    v53 = (v42 * asinh(v37 / v39) + h * v37 / (v39 * v39)) * v28 * cosh(v32) * v34 * v35
-                    v55.append(weight * v53)
-                v55 = fsum(v55) * v30
-                v82 = 0.6366197723675814 * v12 * v55
-            else:
-                v82 = inf
-            value = sigma_0 * (v82 + 1.2732395447351628 * (sigma_0 / E_star) * v11 * (v13 - v11 / (v12 + a)))
+            v28 = v25 if v26 else 1.0
+            v30 = asinh(v13 / v28)
+            v42 = h / b
+            v55 = []
+            for node, weight in RULE_0(v30 / 0.7):
+                v32 = node * v30
+                v34 = v28 * sinh(v32)
+                v35 = sin(v34)
+                v37 = v12 * cos(v34)
+                v39 = hypot(v23, v12 * v35)
+                v53 = (v42 * asinh(v37 / v39) + h * v37 / (v39 * v39)) * v28 * cosh(v32) * v34 * v35
+                v55.append(weight * v53)
+            v55 = fsum(v55) * v30
+            value = sigma_0 * ((0.6366197723675814 if v26 else inf) * v12 * v55 + 1.2732395447351628 * (sigma_0 / E_star) * v11 * (v13 - v11 / (v12 + a)))
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             if value != value and ordinary(a, c, h, b, E_star, sigma_0):

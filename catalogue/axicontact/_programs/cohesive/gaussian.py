@@ -9,6 +9,7 @@ from ..._runtime.plain import rule
 from ..._programs.bodies.cohesive import gaussian as bodies
 
 RULE_0 = rule(((inf, 32),))
+RULE_1 = rule(((0.5, 16), (inf, 32)))
 
 
 def cohesive_radius(a, h, s, E_star, dgamma, sigma_0):
@@ -178,7 +179,7 @@ def without_contact_depth(c, h, s, E_star, dgamma, sigma_0):
             v8 = atan2(c, 0.0)
             v17 = 2.0 * h / s
             v84 = []
-            for node, weight in RULE_0(v8 / 1.0):
+            for node, weight in RULE_1(v8 / 1.0):
                 v10 = node * v8
                 v11 = 0.0 + v10
                 v14 = v7 * cos(v11) / s
@@ -188,10 +189,10 @@ def without_contact_depth(c, h, s, E_star, dgamma, sigma_0):
                 v82 = v17 * (v73 + (1.0 - 2.0 * v73 * v14) * v14) * v11 * sin(v11)
                 v84.append(weight * v82)
             v84 = fsum(v84) * v8
-            v145 = sigma_0 / E_star
-            v149 = 0.6366197723675814 * v7 * v84 - dgamma / sigma_0 - 1.2732395447351628 * v145 * c
-            if v149 <= -(2.0 * v145 * c):
-                value = v149
+            v92 = sigma_0 / E_star
+            v96 = 0.6366197723675814 * v7 * v84 - dgamma / sigma_0 - 1.2732395447351628 * v92 * c
+            if v96 <= -(2.0 * v92 * c):
+                value = v96
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 if value != value and ordinary(c, h, s, E_star, dgamma, sigma_0):
@@ -215,7 +216,7 @@ def without_contact_force(c, h, s, E_star, dgamma, sigma_0):
             v8 = atan2(c, 0.0)
             v17 = 2.0 * h / s
             v84 = []
-            for node, weight in RULE_0(v8 / 1.0):
+            for node, weight in RULE_1(v8 / 1.0):
                 v10 = node * v8
                 v11 = 0.0 + v10
                 v14 = v7 * cos(v11) / s
@@ -225,8 +226,8 @@ def without_contact_force(c, h, s, E_star, dgamma, sigma_0):
                 v82 = v17 * (v73 + (1.0 - 2.0 * v73 * v14) * v14) * v11 * sin(v11)
                 v84.append(weight * v82)
             v84 = fsum(v84) * v8
-            v145 = sigma_0 / E_star
-            if 0.6366197723675814 * v7 * v84 - dgamma / sigma_0 - 1.2732395447351628 * v145 * c <= -(2.0 * v145 * c):
+            v92 = sigma_0 / E_star
+            if 0.6366197723675814 * v7 * v84 - dgamma / sigma_0 - 1.2732395447351628 * v92 * c <= -(2.0 * v92 * c):
                 value = -3.141592653589793 * sigma_0 * c * c
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
@@ -253,7 +254,7 @@ def work_of_separation(a, c, h, s, E_star, sigma_0):
             v13 = atan2(v11, a)
             v22 = 2.0 * h / s
             v89 = []
-            for node, weight in RULE_0(v13 / 1.0):
+            for node, weight in RULE_1(v13 / 1.0):
                 v15 = node * v13
                 v16 = 0.0 + v15
                 v19 = v12 * cos(v16) / s

@@ -25,7 +25,7 @@ C11 = np.array(0.5368820963772863)
 C12 = np.array(1.9680296155712274)
 C13 = np.array(3.5294070829658954)
 C14 = np.array(3.034923660588189)
-RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
+RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64), (18.03, 128)))
 
 
 def cohesive_radius(a, theta, b, E_star, dgamma, sigma_0):
@@ -264,10 +264,10 @@ def without_contact_depth(c, theta, b, E_star, dgamma, sigma_0):
                 v61 = (v46 * atan(v43 / b) + v48 * v43 / (v43 * v43 + v51)) * v10 * cosh(v15 - v32) * v41 * sin(v41)
                 v63.append(weight * v61)
             v63 = fsum(v63) * v30
-            v96 = sigma_0 / E_star
-            v100 = 0.6366197723675814 * v7 * v63 - dgamma / sigma_0 - 1.2732395447351628 * v96 * c
-            if v100 <= -(2.0 * v96 * c):
-                value = v100
+            v71 = sigma_0 / E_star
+            v75 = 0.6366197723675814 * v7 * v63 - dgamma / sigma_0 - 1.2732395447351628 * v71 * c
+            if v75 <= -(2.0 * v71 * c):
+                value = v75
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 if value != value and ordinary(c, theta, b, E_star, dgamma, sigma_0):
@@ -306,8 +306,8 @@ def without_contact_force(c, theta, b, E_star, dgamma, sigma_0):
                 v61 = (v46 * atan(v43 / b) + v48 * v43 / (v43 * v43 + v51)) * v10 * cosh(v15 - v32) * v41 * sin(v41)
                 v63.append(weight * v61)
             v63 = fsum(v63) * v30
-            v96 = sigma_0 / E_star
-            if 0.6366197723675814 * v7 * v63 - dgamma / sigma_0 - 1.2732395447351628 * v96 * c <= -(2.0 * v96 * c):
+            v71 = sigma_0 / E_star
+            if 0.6366197723675814 * v7 * v63 - dgamma / sigma_0 - 1.2732395447351628 * v71 * c <= -(2.0 * v71 * c):
                 value = -3.141592653589793 * sigma_0 * c * c
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value

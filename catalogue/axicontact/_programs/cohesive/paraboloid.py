@@ -13,7 +13,7 @@ from ..._programs.bodies.cohesive import paraboloid as bodies
 C0 = np.array(4.0)
 C1 = np.array(3.0)
 C2 = np.array(2.0)
-RULE_0 = rule(((inf, 16),))
+RULE_0 = rule(((0.45, 8), (inf, 16)))
 
 
 def cohesive_radius(a, R, E_star, dgamma, sigma_0):
@@ -193,10 +193,10 @@ def without_contact_depth(c, R, E_star, dgamma, sigma_0):
                 v18 = 2.0 * (v6 * cos(v10)) / R * v10 * sin(v10)
                 v20.append(weight * v18)
             v20 = fsum(v20) * v7
-            v38 = sigma_0 / E_star
-            v42 = 0.6366197723675814 * v6 * v20 - dgamma / sigma_0 - 1.2732395447351628 * v38 * c
-            if v42 <= -(2.0 * v38 * c):
-                value = v42
+            v28 = sigma_0 / E_star
+            v32 = 0.6366197723675814 * v6 * v20 - dgamma / sigma_0 - 1.2732395447351628 * v28 * c
+            if v32 <= -(2.0 * v28 * c):
+                value = v32
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 if value != value and ordinary(c, R, E_star, dgamma, sigma_0):
@@ -225,8 +225,8 @@ def without_contact_force(c, R, E_star, dgamma, sigma_0):
                 v18 = 2.0 * (v6 * cos(v10)) / R * v10 * sin(v10)
                 v20.append(weight * v18)
             v20 = fsum(v20) * v7
-            v38 = sigma_0 / E_star
-            if 0.6366197723675814 * v6 * v20 - dgamma / sigma_0 - 1.2732395447351628 * v38 * c <= -(2.0 * v38 * c):
+            v28 = sigma_0 / E_star
+            if 0.6366197723675814 * v6 * v20 - dgamma / sigma_0 - 1.2732395447351628 * v28 * c <= -(2.0 * v28 * c):
                 value = -3.141592653589793 * sigma_0 * c * c
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value

@@ -30,7 +30,7 @@ C16 = np.array(90.69722535867314)
 C17 = np.array(16.763212110504565)
 C18 = np.array(3.5449077018110318)
 C19 = np.array(2.0)
-RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
+RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64), (18.03, 128)))
 
 
 def cohesive_radius(a, A, n, E_star, dgamma, sigma_0):
@@ -278,10 +278,10 @@ def without_contact_depth(c, A, n, E_star, dgamma, sigma_0):
                 v99 = v89 * pow(v21, n) / v21 / v20 * cosh(v17) * atan(v19) * (v19 / v20)
                 v101.append(weight * v99)
             v101 = fsum(v101) * v16
-            v125 = sigma_0 / E_star
-            v129 = 0.6366197723675814 * v7 * v101 - dgamma / sigma_0 - 1.2732395447351628 * v125 * c
-            if v129 <= -(2.0 * v125 * c):
-                value = v129
+            v109 = sigma_0 / E_star
+            v113 = 0.6366197723675814 * v7 * v101 - dgamma / sigma_0 - 1.2732395447351628 * v109 * c
+            if v113 <= -(2.0 * v109 * c):
+                value = v113
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 if value != value and ordinary(c, A, n, E_star, dgamma, sigma_0):
@@ -319,8 +319,8 @@ def without_contact_force(c, A, n, E_star, dgamma, sigma_0):
                 v99 = v89 * pow(v21, n) / v21 / v20 * cosh(v17) * atan(v19) * (v19 / v20)
                 v101.append(weight * v99)
             v101 = fsum(v101) * v16
-            v125 = sigma_0 / E_star
-            if 0.6366197723675814 * v7 * v101 - dgamma / sigma_0 - 1.2732395447351628 * v125 * c <= -(2.0 * v125 * c):
+            v109 = sigma_0 / E_star
+            if 0.6366197723675814 * v7 * v101 - dgamma / sigma_0 - 1.2732395447351628 * v109 * c <= -(2.0 * v109 * c):
                 value = -3.141592653589793 * sigma_0 * c * c
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
@@ -344,26 +344,26 @@ def work_of_separation(a, c, A, n, E_star, sigma_0):
             v6 = c - a
             v11 = sqrt((v6 if v6 > 0.0 or v6 != v6 else 0.0) * (c + a))
             v12 = hypot(a, v11)
-            v14 = a > 0.0
-            v20 = asinh(v11 / (a if v14 else 1.0) if v14 else inf)
-            v24 = 40.0 / (n if n < 1.2 or n != n else 1.2)
-            v26 = asinh(v20 if v20 < v24 or v20 != v20 else v24)
-            v38 = n / 2.0 + 0.5
-            v40 = v38 + 1.75
-            v44 = (v38 + 0.5) * (v38 + 1.5)
-            v57 = 1.0 / (v40 * v40)
-            v99 = 1.7724538509055159 * n * A * ((v38 * (v38 + 1.0) / v44 if v38 < 1.0 else 1.0 - (v38 + 0.75) / v44) * sqrt(v40) * (1.0 + v57 * (((((((0.01524698625788054 * v57 + 0.5334320651111477) * v57 + 2.250488865813539) * v57 + 2.8612106440066865) * v57 + 1.3794681629043655) * v57 + 0.2596058532893223) * v57 + 0.015624999999999823) / ((((((3.278794792785737 * v57 + 49.328555418276075) * v57 + 167.28648538571198) * v57 + 195.37226190335065) * v57 + 90.69722535867314) * v57 + 16.763212110504565) * v57 + 1.0))))
-            v111 = []
-            for node, weight in RULE_0(v26 / 1.0):
-                v27 = node * v26
+            v13 = a > 0.0
+            v19 = asinh(v11 / (a if v13 else 1.0) if v13 else inf)
+            v23 = 40.0 / (n if n < 1.2 or n != n else 1.2)
+            v25 = asinh(v19 if v19 < v23 or v19 != v19 else v23)
+            v37 = n / 2.0 + 0.5
+            v39 = v37 + 1.75
+            v43 = (v37 + 0.5) * (v37 + 1.5)
+            v56 = 1.0 / (v39 * v39)
+            v98 = 1.7724538509055159 * n * A * ((v37 * (v37 + 1.0) / v43 if v37 < 1.0 else 1.0 - (v37 + 0.75) / v43) * sqrt(v39) * (1.0 + v56 * (((((((0.01524698625788054 * v56 + 0.5334320651111477) * v56 + 2.250488865813539) * v56 + 2.8612106440066865) * v56 + 1.3794681629043655) * v56 + 0.2596058532893223) * v56 + 0.015624999999999823) / ((((((3.278794792785737 * v56 + 49.328555418276075) * v56 + 167.28648538571198) * v56 + 195.37226190335065) * v56 + 90.69722535867314) * v56 + 16.763212110504565) * v56 + 1.0))))
+            v110 = []
+            for node, weight in RULE_0(v25 / 1.0):
+                v26 = node * v25
+                v27 = sinh(v26)
                 v28 = sinh(v27)
-                v29 = sinh(v28)
-                v30 = cosh(v28)
-                v31 = v12 / v30
-                v109 = v99 * pow(v31, n) / v31 / v30 * cosh(v27) * atan(v29) * (v29 / v30)
-                v111.append(weight * v109)
-            v111 = fsum(v111) * v26
-            value = sigma_0 * (0.6366197723675814 * v12 * v111 + 1.2732395447351628 * (sigma_0 / E_star) * v11 * (atan2(v11, a) - v11 / (v12 + a)))
+                v29 = cosh(v27)
+                v30 = v12 / v29
+                v108 = v98 * pow(v30, n) / v30 / v29 * cosh(v26) * atan(v28) * (v28 / v29)
+                v110.append(weight * v108)
+            v110 = fsum(v110) * v25
+            value = sigma_0 * (0.6366197723675814 * v12 * v110 + 1.2732395447351628 * (sigma_0 / E_star) * v11 * (atan2(v11, a) - v11 / (v12 + a)))
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             if value != value and ordinary(a, c, A, n, E_star, sigma_0):

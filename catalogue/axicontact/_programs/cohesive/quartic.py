@@ -14,7 +14,7 @@ C0 = np.array(64.0)
 C1 = np.array(15.0)
 C2 = np.array(5.0)
 C3 = np.array(2.0)
-RULE_0 = rule(((inf, 16),))
+RULE_0 = rule(((0.45, 8), (inf, 16)))
 
 
 def cohesive_radius(a, A, E_star, dgamma, sigma_0):
@@ -195,10 +195,10 @@ def without_contact_depth(c, A, E_star, dgamma, sigma_0):
                 v23 = v16 * (v12 * (v12 * v12)) * v10 * sin(v10)
                 v25.append(weight * v23)
             v25 = fsum(v25) * v7
-            v44 = sigma_0 / E_star
-            v48 = 0.6366197723675814 * v6 * v25 - dgamma / sigma_0 - 1.2732395447351628 * v44 * c
-            if v48 <= -(2.0 * v44 * c):
-                value = v48
+            v33 = sigma_0 / E_star
+            v37 = 0.6366197723675814 * v6 * v25 - dgamma / sigma_0 - 1.2732395447351628 * v33 * c
+            if v37 <= -(2.0 * v33 * c):
+                value = v37
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 if value != value and ordinary(c, A, E_star, dgamma, sigma_0):
@@ -229,8 +229,8 @@ def without_contact_force(c, A, E_star, dgamma, sigma_0):
                 v23 = v16 * (v12 * (v12 * v12)) * v10 * sin(v10)
                 v25.append(weight * v23)
             v25 = fsum(v25) * v7
-            v44 = sigma_0 / E_star
-            if 0.6366197723675814 * v6 * v25 - dgamma / sigma_0 - 1.2732395447351628 * v44 * c <= -(2.0 * v44 * c):
+            v33 = sigma_0 / E_star
+            if 0.6366197723675814 * v6 * v25 - dgamma / sigma_0 - 1.2732395447351628 * v33 * c <= -(2.0 * v33 * c):
                 value = -3.141592653589793 * sigma_0 * c * c
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value

@@ -13,8 +13,8 @@ from ..._programs.bodies.cohesive import rounded_cone as bodies
 C0 = np.array(2.0)
 C1 = np.array(4.0)
 C2 = np.array(3.0)
-RULE_0 = rule(((inf, 16),))
-RULE_1 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
+RULE_0 = rule(((0.45, 8), (inf, 16)))
+RULE_1 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64), (18.03, 128)))
 
 
 def cohesive_radius(a, theta, b, E_star, dgamma, sigma_0):
@@ -233,50 +233,45 @@ def without_contact_depth(c, theta, b, E_star, dgamma, sigma_0):
             else:
                 v26 = v8
             v27 = v8 - v26
-            v34 = tan(theta)
-            v37 = 2.0 * v34 / b
-            v43 = []
+            v35 = tan(theta)
+            v38 = 2.0 * v35 / b
+            v44 = []
             for node, weight in RULE_0(v27 / 1.0):
                 v29 = node * v27
                 v30 = v26 + v29
-                v32 = v7 * cos(v30)
-                v41 = v37 * (v32 if v32 < b or v32 != v32 else b) * v30 * sin(v30)
-                v43.append(weight * v41)
-            v43 = fsum(v43) * v27
-            v59 = 0.0 - b
-            v63 = sqrt((v59 if v59 > 0.0 or v59 != v59 else 0.0) * (0.0 + b))
-            v65 = v19 if v9 else hypot(v63, c)
-            v66 = v65 if v9 else c
-            v67 = v66 > 0.0
-            if v67:
-                v68 = v65 if v67 else b
-                v69 = v66 if v67 else b
-                v71 = asinh(b / v68)
-                v75 = 1.5707963267948966 / v71
-                v76 = atan2(v63, v69) / v71
-                v77 = asinh(v75)
-                v91 = asinh(atan2(v69, v63) / v71 * (v75 + v76) / (v75 * sqrt(1.0 + v76 * v76) + v76 * sqrt(1.0 + v75 * v75)))
-                v93 = 2.0 * v71
-                v105 = b * b
-                v111 = 2.0 * b
-                v126 = []
-                for node, weight in RULE_1(v91 / 1.0):
-                    v92 = node * v91
-                    v95 = 0.5 * v92
-                    v100 = v93 * cosh(v77 - v95) * sinh(v95)
-                    v102 = v68 * cos(v100)
-                    v104 = v68 * sin(v100)
-                    v108 = sqrt(v105 + v102 * v102)
-                    v124 = v34 * (atan(v102 / b) + v111 / (v102 + v108)) * v102 * v71 * cosh(v77 - v92) * atan2(v104, v108) * (v104 / v108)
-                    v126.append(weight * v124)
-                v126 = fsum(v126) * v91
-                v159 = 0.6366197723675814 * v126
-            else:
-                v159 = 0.0
-            v166 = sigma_0 / E_star
-            v170 = 0.6366197723675814 * v7 * v43 + v159 - dgamma / sigma_0 - 1.2732395447351628 * v166 * c
-            if v170 <= -(2.0 * v166 * c):
-                value = v170
+                v33 = abs(v7 * cos(v30))
+                v42 = v38 * (v33 if v33 < b or v33 != v33 else b) * v30 * sin(v30)
+                v44.append(weight * v42)
+            v44 = fsum(v44) * v27
+            v50 = 0.0 - b
+            v54 = sqrt((v50 if v50 > 0.0 or v50 != v50 else 0.0) * (0.0 + b))
+            v56 = v19 if v9 else hypot(v54, c)
+            v57 = v56 if v9 else c
+            v59 = v56 if v57 > 0.0 else b
+            v61 = asinh(b / v59)
+            v65 = 1.5707963267948966 / v61
+            v66 = atan2(v54, v57) / v61
+            v67 = asinh(v65)
+            v81 = asinh(atan2(v57, v54) / v61 * (v65 + v66) / (v65 * sqrt(1.0 + v66 * v66) + v66 * sqrt(1.0 + v65 * v65)))
+            v83 = 2.0 * v61
+            v97 = b * b
+            v103 = 2.0 * b
+            v118 = []
+            for node, weight in RULE_1(v81 / 1.0):
+                v82 = node * v81
+                v85 = 0.5 * v82
+                v90 = v83 * cosh(v67 - v85) * sinh(v85)
+                v91 = cos(v90)
+                v94 = v59 * (v91 if v91 > 1e-17 or v91 != v91 else 1e-17)
+                v96 = v59 * sin(v90)
+                v100 = sqrt(v97 + v94 * v94)
+                v116 = v35 * (atan(v94 / b) + v103 / (v94 + v100)) * v94 * v61 * cosh(v67 - v82) * atan2(v96, v100) * (v96 / v100)
+                v118.append(weight * v116)
+            v118 = fsum(v118) * v81
+            v126 = sigma_0 / E_star
+            v130 = 0.6366197723675814 * v7 * v44 + 0.6366197723675814 * v118 - dgamma / sigma_0 - 1.2732395447351628 * v126 * c
+            if v130 <= -(2.0 * v126 * c):
+                value = v130
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 if value != value and ordinary(c, theta, b, E_star, dgamma, sigma_0):
@@ -309,48 +304,43 @@ def without_contact_force(c, theta, b, E_star, dgamma, sigma_0):
             else:
                 v26 = v8
             v27 = v8 - v26
-            v34 = tan(theta)
-            v37 = 2.0 * v34 / b
-            v43 = []
+            v35 = tan(theta)
+            v38 = 2.0 * v35 / b
+            v44 = []
             for node, weight in RULE_0(v27 / 1.0):
                 v29 = node * v27
                 v30 = v26 + v29
-                v32 = v7 * cos(v30)
-                v41 = v37 * (v32 if v32 < b or v32 != v32 else b) * v30 * sin(v30)
-                v43.append(weight * v41)
-            v43 = fsum(v43) * v27
-            v59 = 0.0 - b
-            v63 = sqrt((v59 if v59 > 0.0 or v59 != v59 else 0.0) * (0.0 + b))
-            v65 = v19 if v9 else hypot(v63, c)
-            v66 = v65 if v9 else c
-            v67 = v66 > 0.0
-            if v67:
-                v68 = v65 if v67 else b
-                v69 = v66 if v67 else b
-                v71 = asinh(b / v68)
-                v75 = 1.5707963267948966 / v71
-                v76 = atan2(v63, v69) / v71
-                v77 = asinh(v75)
-                v91 = asinh(atan2(v69, v63) / v71 * (v75 + v76) / (v75 * sqrt(1.0 + v76 * v76) + v76 * sqrt(1.0 + v75 * v75)))
-                v93 = 2.0 * v71
-                v105 = b * b
-                v111 = 2.0 * b
-                v126 = []
-                for node, weight in RULE_1(v91 / 1.0):
-                    v92 = node * v91
-                    v95 = 0.5 * v92
-                    v100 = v93 * cosh(v77 - v95) * sinh(v95)
-                    v102 = v68 * cos(v100)
-                    v104 = v68 * sin(v100)
-                    v108 = sqrt(v105 + v102 * v102)
-                    v124 = v34 * (atan(v102 / b) + v111 / (v102 + v108)) * v102 * v71 * cosh(v77 - v92) * atan2(v104, v108) * (v104 / v108)
-                    v126.append(weight * v124)
-                v126 = fsum(v126) * v91
-                v159 = 0.6366197723675814 * v126
-            else:
-                v159 = 0.0
-            v166 = sigma_0 / E_star
-            if 0.6366197723675814 * v7 * v43 + v159 - dgamma / sigma_0 - 1.2732395447351628 * v166 * c <= -(2.0 * v166 * c):
+                v33 = abs(v7 * cos(v30))
+                v42 = v38 * (v33 if v33 < b or v33 != v33 else b) * v30 * sin(v30)
+                v44.append(weight * v42)
+            v44 = fsum(v44) * v27
+            v50 = 0.0 - b
+            v54 = sqrt((v50 if v50 > 0.0 or v50 != v50 else 0.0) * (0.0 + b))
+            v56 = v19 if v9 else hypot(v54, c)
+            v57 = v56 if v9 else c
+            v59 = v56 if v57 > 0.0 else b
+            v61 = asinh(b / v59)
+            v65 = 1.5707963267948966 / v61
+            v66 = atan2(v54, v57) / v61
+            v67 = asinh(v65)
+            v81 = asinh(atan2(v57, v54) / v61 * (v65 + v66) / (v65 * sqrt(1.0 + v66 * v66) + v66 * sqrt(1.0 + v65 * v65)))
+            v83 = 2.0 * v61
+            v97 = b * b
+            v103 = 2.0 * b
+            v118 = []
+            for node, weight in RULE_1(v81 / 1.0):
+                v82 = node * v81
+                v85 = 0.5 * v82
+                v90 = v83 * cosh(v67 - v85) * sinh(v85)
+                v91 = cos(v90)
+                v94 = v59 * (v91 if v91 > 1e-17 or v91 != v91 else 1e-17)
+                v96 = v59 * sin(v90)
+                v100 = sqrt(v97 + v94 * v94)
+                v116 = v35 * (atan(v94 / b) + v103 / (v94 + v100)) * v94 * v61 * cosh(v67 - v82) * atan2(v96, v100) * (v96 / v100)
+                v118.append(weight * v116)
+            v118 = fsum(v118) * v81
+            v126 = sigma_0 / E_star
+            if 0.6366197723675814 * v7 * v44 + 0.6366197723675814 * v118 - dgamma / sigma_0 - 1.2732395447351628 * v126 * c <= -(2.0 * v126 * c):
                 value = -3.141592653589793 * sigma_0 * c * c
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
@@ -386,47 +376,42 @@ def work_of_separation(a, c, theta, b, E_star, sigma_0):
             else:
                 v31 = v13
             v32 = v13 - v31
-            v39 = tan(theta)
-            v42 = 2.0 * v39 / b
-            v48 = []
+            v40 = tan(theta)
+            v43 = 2.0 * v40 / b
+            v49 = []
             for node, weight in RULE_0(v32 / 1.0):
                 v34 = node * v32
                 v35 = v31 + v34
-                v37 = v12 * cos(v35)
-                v46 = v42 * (v37 if v37 < b or v37 != v37 else b) * v35 * sin(v35)
-                v48.append(weight * v46)
-            v48 = fsum(v48) * v32
-            v64 = a - b
-            v68 = sqrt((v64 if v64 > 0.0 or v64 != v64 else 0.0) * (a + b))
-            v70 = v24 if v14 else hypot(v68, v11)
-            v71 = v70 if v14 else v11
-            v72 = v71 > 0.0
-            if v72:
-                v73 = v70 if v72 else b
-                v74 = v71 if v72 else b
-                v76 = asinh(b / v73)
-                v80 = 1.5707963267948966 / v76
-                v81 = atan2(v68, v74) / v76
-                v82 = asinh(v80)
-                v96 = asinh(atan2(v74, v68) / v76 * (v80 + v81) / (v80 * sqrt(1.0 + v81 * v81) + v81 * sqrt(1.0 + v80 * v80)))
-                v98 = 2.0 * v76
-                v110 = b * b
-                v116 = 2.0 * b
-                v131 = []
-                for node, weight in RULE_1(v96 / 1.0):
-                    v97 = node * v96
-                    v100 = 0.5 * v97
-                    v105 = v98 * cosh(v82 - v100) * sinh(v100)
-                    v107 = v73 * cos(v105)
-                    v109 = v73 * sin(v105)
-                    v113 = sqrt(v110 + v107 * v107)
-                    v129 = v39 * (atan(v107 / b) + v116 / (v107 + v113)) * v107 * v76 * cosh(v82 - v97) * atan2(v109, v113) * (v109 / v113)
-                    v131.append(weight * v129)
-                v131 = fsum(v131) * v96
-                v164 = 0.6366197723675814 * v131
-            else:
-                v164 = 0.0
-            value = sigma_0 * (0.6366197723675814 * v12 * v48 + v164 + 1.2732395447351628 * (sigma_0 / E_star) * v11 * (v13 - v11 / (v12 + a)))
+                v38 = abs(v12 * cos(v35))
+                v47 = v43 * (v38 if v38 < b or v38 != v38 else b) * v35 * sin(v35)
+                v49.append(weight * v47)
+            v49 = fsum(v49) * v32
+            v55 = a - b
+            v59 = sqrt((v55 if v55 > 0.0 or v55 != v55 else 0.0) * (a + b))
+            v61 = v24 if v14 else hypot(v59, v11)
+            v62 = v61 if v14 else v11
+            v64 = v61 if v62 > 0.0 else b
+            v66 = asinh(b / v64)
+            v70 = 1.5707963267948966 / v66
+            v71 = atan2(v59, v62) / v66
+            v72 = asinh(v70)
+            v86 = asinh(atan2(v62, v59) / v66 * (v70 + v71) / (v70 * sqrt(1.0 + v71 * v71) + v71 * sqrt(1.0 + v70 * v70)))
+            v88 = 2.0 * v66
+            v102 = b * b
+            v108 = 2.0 * b
+            v123 = []
+            for node, weight in RULE_1(v86 / 1.0):
+                v87 = node * v86
+                v90 = 0.5 * v87
+                v95 = v88 * cosh(v72 - v90) * sinh(v90)
+                v96 = cos(v95)
+                v99 = v64 * (v96 if v96 > 1e-17 or v96 != v96 else 1e-17)
+                v101 = v64 * sin(v95)
+                v105 = sqrt(v102 + v99 * v99)
+                v121 = v40 * (atan(v99 / b) + v108 / (v99 + v105)) * v99 * v66 * cosh(v72 - v87) * atan2(v101, v105) * (v101 / v105)
+                v123.append(weight * v121)
+            v123 = fsum(v123) * v86
+            value = sigma_0 * (0.6366197723675814 * v12 * v49 + 0.6366197723675814 * v123 + 1.2732395447351628 * (sigma_0 / E_star) * v11 * (v13 - v11 / (v12 + a)))
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             if value != value and ordinary(a, c, theta, b, E_star, sigma_0):

@@ -26,7 +26,7 @@ C12 = np.array(2.37401087025821)
 C13 = np.array(2.569097449054519)
 C14 = np.array(1.0)
 C15 = np.array(3.0)
-RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
+RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64), (18.03, 128)))
 
 
 def cohesive_radius(a, R, b, E_star, dgamma, sigma_0):
@@ -272,36 +272,31 @@ def without_contact_depth(c, R, b, E_star, dgamma, sigma_0):
             else:
                 v25 = hypot(v12, c)
             v26 = v25 if v18 else c
-            v27 = v26 > 0.0
-            if v27:
-                v28 = v25 if v27 else b
-                v29 = v26 if v27 else b
-                v31 = asinh(b / v28)
-                v35 = 1.5707963267948966 / v31
-                v36 = atan2(v12, v29) / v31
-                v37 = asinh(v35)
-                v52 = asinh(atan2(v29, v12) / v31 * (v35 + v36) / (v35 * sqrt(1.0 + v36 * v36) + v36 * sqrt(1.0 + v35 * v35)))
-                v55 = 2.0 * v31
-                v67 = b * b
-                v74 = b / R
-                v87 = []
-                for node, weight in RULE_0(v52 / 1.0):
-                    v53 = node * v52
-                    v57 = 0.5 * v53
-                    v62 = v55 * cosh(v37 - v57) * sinh(v57)
-                    v64 = v28 * cos(v62)
-                    v66 = v28 * sin(v62)
-                    v70 = sqrt(v67 + v64 * v64)
-                    v85 = (2.0 * v64 / R - v74 * atan2(v64, b)) * v64 * v31 * cosh(v37 - v53) * atan2(v66, v70) * (v66 / v70)
-                    v87.append(weight * v85)
-                v87 = fsum(v87) * v52
-                v120 = 0.6366197723675814 * v87
-            else:
-                v120 = 0.0
-            v125 = sigma_0 / E_star
-            v129 = v120 - dgamma / sigma_0 - 1.2732395447351628 * v125 * c
-            if v129 <= -(2.0 * v125 * c):
-                value = v129
+            v28 = v25 if v26 > 0.0 else b
+            v30 = asinh(b / v28)
+            v34 = 1.5707963267948966 / v30
+            v35 = atan2(v12, v26) / v30
+            v36 = asinh(v34)
+            v51 = asinh(atan2(v26, v12) / v30 * (v34 + v35) / (v34 * sqrt(1.0 + v35 * v35) + v35 * sqrt(1.0 + v34 * v34)))
+            v54 = 2.0 * v30
+            v68 = b * b
+            v75 = b / R
+            v88 = []
+            for node, weight in RULE_0(v51 / 1.0):
+                v52 = node * v51
+                v56 = 0.5 * v52
+                v61 = v54 * cosh(v36 - v56) * sinh(v56)
+                v62 = cos(v61)
+                v65 = v28 * (v62 if v62 > 1e-17 or v62 != v62 else 1e-17)
+                v67 = v28 * sin(v61)
+                v71 = sqrt(v68 + v65 * v65)
+                v86 = (2.0 * v65 / R - v75 * atan2(v65, b)) * v65 * v30 * cosh(v36 - v52) * atan2(v67, v71) * (v67 / v71)
+                v88.append(weight * v86)
+            v88 = fsum(v88) * v51
+            v95 = sigma_0 / E_star
+            v99 = 0.6366197723675814 * v88 - dgamma / sigma_0 - 1.2732395447351628 * v95 * c
+            if v99 <= -(2.0 * v95 * c):
+                value = v99
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 if value != value and ordinary(c, R, b, E_star, dgamma, sigma_0):
@@ -332,34 +327,29 @@ def without_contact_force(c, R, b, E_star, dgamma, sigma_0):
             else:
                 v25 = hypot(v12, c)
             v26 = v25 if v18 else c
-            v27 = v26 > 0.0
-            if v27:
-                v28 = v25 if v27 else b
-                v29 = v26 if v27 else b
-                v31 = asinh(b / v28)
-                v35 = 1.5707963267948966 / v31
-                v36 = atan2(v12, v29) / v31
-                v37 = asinh(v35)
-                v52 = asinh(atan2(v29, v12) / v31 * (v35 + v36) / (v35 * sqrt(1.0 + v36 * v36) + v36 * sqrt(1.0 + v35 * v35)))
-                v55 = 2.0 * v31
-                v67 = b * b
-                v74 = b / R
-                v87 = []
-                for node, weight in RULE_0(v52 / 1.0):
-                    v53 = node * v52
-                    v57 = 0.5 * v53
-                    v62 = v55 * cosh(v37 - v57) * sinh(v57)
-                    v64 = v28 * cos(v62)
-                    v66 = v28 * sin(v62)
-                    v70 = sqrt(v67 + v64 * v64)
-                    v85 = (2.0 * v64 / R - v74 * atan2(v64, b)) * v64 * v31 * cosh(v37 - v53) * atan2(v66, v70) * (v66 / v70)
-                    v87.append(weight * v85)
-                v87 = fsum(v87) * v52
-                v120 = 0.6366197723675814 * v87
-            else:
-                v120 = 0.0
-            v125 = sigma_0 / E_star
-            if v120 - dgamma / sigma_0 - 1.2732395447351628 * v125 * c <= -(2.0 * v125 * c):
+            v28 = v25 if v26 > 0.0 else b
+            v30 = asinh(b / v28)
+            v34 = 1.5707963267948966 / v30
+            v35 = atan2(v12, v26) / v30
+            v36 = asinh(v34)
+            v51 = asinh(atan2(v26, v12) / v30 * (v34 + v35) / (v34 * sqrt(1.0 + v35 * v35) + v35 * sqrt(1.0 + v34 * v34)))
+            v54 = 2.0 * v30
+            v68 = b * b
+            v75 = b / R
+            v88 = []
+            for node, weight in RULE_0(v51 / 1.0):
+                v52 = node * v51
+                v56 = 0.5 * v52
+                v61 = v54 * cosh(v36 - v56) * sinh(v56)
+                v62 = cos(v61)
+                v65 = v28 * (v62 if v62 > 1e-17 or v62 != v62 else 1e-17)
+                v67 = v28 * sin(v61)
+                v71 = sqrt(v68 + v65 * v65)
+                v86 = (2.0 * v65 / R - v75 * atan2(v65, b)) * v65 * v30 * cosh(v36 - v52) * atan2(v67, v71) * (v67 / v71)
+                v88.append(weight * v86)
+            v88 = fsum(v88) * v51
+            v95 = sigma_0 / E_star
+            if 0.6366197723675814 * v88 - dgamma / sigma_0 - 1.2732395447351628 * v95 * c <= -(2.0 * v95 * c):
                 value = -3.141592653589793 * sigma_0 * c * c
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
@@ -382,44 +372,39 @@ def work_of_separation(a, c, R, b, E_star, sigma_0):
         try:
             v6 = c - a
             v11 = sqrt((v6 if v6 > 0.0 or v6 != v6 else 0.0) * (c + a))
-            v14 = a - b
-            v18 = sqrt((v14 if v14 > 0.0 or v14 != v14 else 0.0) * (a + b))
-            v24 = a < b
-            if v24:
-                v19 = b - a
-                v23 = sqrt((v19 if v19 > 0.0 or v19 != v19 else 0.0) * (b + a))
-                v25 = v11 - v23
-                v31 = sqrt((v25 if v25 > 0.0 or v25 != v25 else 0.0) * (v11 + v23))
+            v13 = a - b
+            v17 = sqrt((v13 if v13 > 0.0 or v13 != v13 else 0.0) * (a + b))
+            v23 = a < b
+            if v23:
+                v18 = b - a
+                v22 = sqrt((v18 if v18 > 0.0 or v18 != v18 else 0.0) * (b + a))
+                v24 = v11 - v22
+                v30 = sqrt((v24 if v24 > 0.0 or v24 != v24 else 0.0) * (v11 + v22))
             else:
-                v31 = hypot(v18, v11)
-            v32 = v31 if v24 else v11
-            v33 = v32 > 0.0
-            if v33:
-                v34 = v31 if v33 else b
-                v35 = v32 if v33 else b
-                v37 = asinh(b / v34)
-                v41 = 1.5707963267948966 / v37
-                v42 = atan2(v18, v35) / v37
-                v43 = asinh(v41)
-                v58 = asinh(atan2(v35, v18) / v37 * (v41 + v42) / (v41 * sqrt(1.0 + v42 * v42) + v42 * sqrt(1.0 + v41 * v41)))
-                v61 = 2.0 * v37
-                v73 = b * b
-                v80 = b / R
-                v93 = []
-                for node, weight in RULE_0(v58 / 1.0):
-                    v59 = node * v58
-                    v63 = 0.5 * v59
-                    v68 = v61 * cosh(v43 - v63) * sinh(v63)
-                    v70 = v34 * cos(v68)
-                    v72 = v34 * sin(v68)
-                    v76 = sqrt(v73 + v70 * v70)
-                    v91 = (2.0 * v70 / R - v80 * atan2(v70, b)) * v70 * v37 * cosh(v43 - v59) * atan2(v72, v76) * (v72 / v76)
-                    v93.append(weight * v91)
-                v93 = fsum(v93) * v58
-                v126 = 0.6366197723675814 * v93
-            else:
-                v126 = 0.0
-            value = sigma_0 * (v126 + 1.2732395447351628 * (sigma_0 / E_star) * v11 * (atan2(v11, a) - v11 / (hypot(a, v11) + a)))
+                v30 = hypot(v17, v11)
+            v31 = v30 if v23 else v11
+            v33 = v30 if v31 > 0.0 else b
+            v35 = asinh(b / v33)
+            v39 = 1.5707963267948966 / v35
+            v40 = atan2(v17, v31) / v35
+            v41 = asinh(v39)
+            v56 = asinh(atan2(v31, v17) / v35 * (v39 + v40) / (v39 * sqrt(1.0 + v40 * v40) + v40 * sqrt(1.0 + v39 * v39)))
+            v59 = 2.0 * v35
+            v73 = b * b
+            v80 = b / R
+            v93 = []
+            for node, weight in RULE_0(v56 / 1.0):
+                v57 = node * v56
+                v61 = 0.5 * v57
+                v66 = v59 * cosh(v41 - v61) * sinh(v61)
+                v67 = cos(v66)
+                v70 = v33 * (v67 if v67 > 1e-17 or v67 != v67 else 1e-17)
+                v72 = v33 * sin(v66)
+                v76 = sqrt(v73 + v70 * v70)
+                v91 = (2.0 * v70 / R - v80 * atan2(v70, b)) * v70 * v35 * cosh(v41 - v57) * atan2(v72, v76) * (v72 / v76)
+                v93.append(weight * v91)
+            v93 = fsum(v93) * v56
+            value = sigma_0 * (0.6366197723675814 * v93 + 1.2732395447351628 * (sigma_0 / E_star) * v11 * (atan2(v11, a) - v11 / (hypot(a, v11) + a)))
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             if value != value and ordinary(a, c, R, b, E_star, sigma_0):

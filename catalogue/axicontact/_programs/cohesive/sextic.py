@@ -14,7 +14,7 @@ C0 = np.array(192.0)
 C1 = np.array(35.0)
 C2 = np.array(7.0)
 C3 = np.array(2.0)
-RULE_0 = rule(((inf, 16),))
+RULE_0 = rule(((0.45, 8), (inf, 16)))
 
 
 def cohesive_radius(a, A, E_star, dgamma, sigma_0):
@@ -194,10 +194,10 @@ def without_contact_depth(c, A, E_star, dgamma, sigma_0):
                 v21 = v16 * pow(v6 * cos(v10), 5.0) * v10 * sin(v10)
                 v23.append(weight * v21)
             v23 = fsum(v23) * v7
-            v41 = sigma_0 / E_star
-            v45 = 0.6366197723675814 * v6 * v23 - dgamma / sigma_0 - 1.2732395447351628 * v41 * c
-            if v45 <= -(2.0 * v41 * c):
-                value = v45
+            v31 = sigma_0 / E_star
+            v35 = 0.6366197723675814 * v6 * v23 - dgamma / sigma_0 - 1.2732395447351628 * v31 * c
+            if v35 <= -(2.0 * v31 * c):
+                value = v35
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 if value != value and ordinary(c, A, E_star, dgamma, sigma_0):
@@ -227,8 +227,8 @@ def without_contact_force(c, A, E_star, dgamma, sigma_0):
                 v21 = v16 * pow(v6 * cos(v10), 5.0) * v10 * sin(v10)
                 v23.append(weight * v21)
             v23 = fsum(v23) * v7
-            v41 = sigma_0 / E_star
-            if 0.6366197723675814 * v6 * v23 - dgamma / sigma_0 - 1.2732395447351628 * v41 * c <= -(2.0 * v41 * c):
+            v31 = sigma_0 / E_star
+            if 0.6366197723675814 * v6 * v23 - dgamma / sigma_0 - 1.2732395447351628 * v31 * c <= -(2.0 * v31 * c):
                 value = -3.141592653589793 * sigma_0 * c * c
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value

@@ -24,7 +24,7 @@ C10 = np.array(2.0203143566039827e-05)
 C11 = np.array(0.001617010334189783)
 C12 = np.array(0.03639274880225476)
 C13 = np.array(0.32215749846441627)
-RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
+RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64), (18.03, 128)))
 
 
 def cohesive_radius(a, R, E_star, dgamma, sigma_0):
@@ -250,26 +250,22 @@ def without_contact_depth(c, R, E_star, dgamma, sigma_0):
             v17 = sqrt((v13 if v13 > 0.0 or v13 != v13 else 0.0) * (v12 + c))
             v19 = asinh(v17 / v6)
             v20 = v19 > 0.0
-            if v20:
-                v22 = v19 if v20 else 1.0
-                v24 = asinh(atan2(c, 0.0) / v22)
-                v47 = []
-                for node, weight in RULE_0(v24 / 0.7):
-                    v26 = node * v24
-                    v28 = v22 * sinh(v26)
-                    v29 = sin(v28)
-                    v31 = v6 * cos(v28)
-                    v33 = hypot(v17, v6 * v29)
-                    v45 = (asinh(v31 / v33) + R * v31 / (v33 * v33)) * v22 * cosh(v26) * v28 * v29
-                    v47.append(weight * v45)
-                v47 = fsum(v47) * v24
-                v73 = 0.6366197723675814 * v6 * v47
-            else:
-                v73 = inf
-            v78 = sigma_0 / E_star
-            v82 = v73 - dgamma / sigma_0 - 1.2732395447351628 * v78 * c
-            if v82 <= -(2.0 * v78 * c):
-                value = v82
+            v22 = v19 if v20 else 1.0
+            v24 = asinh(atan2(c, 0.0) / v22)
+            v47 = []
+            for node, weight in RULE_0(v24 / 0.7):
+                v26 = node * v24
+                v28 = v22 * sinh(v26)
+                v29 = sin(v28)
+                v31 = v6 * cos(v28)
+                v33 = hypot(v17, v6 * v29)
+                v45 = (asinh(v31 / v33) + R * v31 / (v33 * v33)) * v22 * cosh(v26) * v28 * v29
+                v47.append(weight * v45)
+            v47 = fsum(v47) * v24
+            v57 = sigma_0 / E_star
+            v61 = (0.6366197723675814 if v20 else inf) * v6 * v47 - dgamma / sigma_0 - 1.2732395447351628 * v57 * c
+            if v61 <= -(2.0 * v57 * c):
+                value = v61
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 if value != value and ordinary(c, R, E_star, dgamma, sigma_0):
@@ -296,24 +292,20 @@ def without_contact_force(c, R, E_star, dgamma, sigma_0):
             v17 = sqrt((v13 if v13 > 0.0 or v13 != v13 else 0.0) * (v12 + c))
             v19 = asinh(v17 / v6)
             v20 = v19 > 0.0
-            if v20:
-                v22 = v19 if v20 else 1.0
-                v24 = asinh(atan2(c, 0.0) / v22)
-                v47 = []
-                for node, weight in RULE_0(v24 / 0.7):
-                    v26 = node * v24
-                    v28 = v22 * sinh(v26)
-                    v29 = sin(v28)
-                    v31 = v6 * cos(v28)
-                    v33 = hypot(v17, v6 * v29)
-                    v45 = (asinh(v31 / v33) + R * v31 / (v33 * v33)) * v22 * cosh(v26) * v28 * v29
-                    v47.append(weight * v45)
-                v47 = fsum(v47) * v24
-                v73 = 0.6366197723675814 * v6 * v47
-            else:
-                v73 = inf
-            v78 = sigma_0 / E_star
-            if v73 - dgamma / sigma_0 - 1.2732395447351628 * v78 * c <= -(2.0 * v78 * c):
+            v22 = v19 if v20 else 1.0
+            v24 = asinh(atan2(c, 0.0) / v22)
+            v47 = []
+            for node, weight in RULE_0(v24 / 0.7):
+                v26 = node * v24
+                v28 = v22 * sinh(v26)
+                v29 = sin(v28)
+                v31 = v6 * cos(v28)
+                v33 = hypot(v17, v6 * v29)
+                v45 = (asinh(v31 / v33) + R * v31 / (v33 * v33)) * v22 * cosh(v26) * v28 * v29
+                v47.append(weight * v45)
+            v47 = fsum(v47) * v24
+            v57 = sigma_0 / E_star
+            if (0.6366197723675814 if v20 else inf) * v6 * v47 - dgamma / sigma_0 - 1.2732395447351628 * v57 * c <= -(2.0 * v57 * c):
                 value = -3.141592653589793 * sigma_0 * c * c
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
@@ -344,23 +336,19 @@ def work_of_separation(a, c, R, E_star, sigma_0):
             v22 = sqrt((v18 if v18 > 0.0 or v18 != v18 else 0.0) * (v17 + v10))
             v24 = asinh(v22 / v11)
             v25 = v24 > 0.0
-            if v25:
-                v27 = v24 if v25 else 1.0
-                v29 = asinh(v12 / v27)
-                v52 = []
-                for node, weight in RULE_0(v29 / 0.7):
-                    v31 = node * v29
-                    v33 = v27 * sinh(v31)
-                    v34 = sin(v33)
-                    v36 = v11 * cos(v33)
-                    v38 = hypot(v22, v11 * v34)
-                    v50 = (asinh(v36 / v38) + R * v36 / (v38 * v38)) * v27 * cosh(v31) * v33 * v34
-                    v52.append(weight * v50)
-                v52 = fsum(v52) * v29
-                v78 = 0.6366197723675814 * v11 * v52
-            else:
-                v78 = inf
-            value = sigma_0 * (v78 + 1.2732395447351628 * (sigma_0 / E_star) * v10 * (v12 - v10 / (v11 + a)))
+            v27 = v24 if v25 else 1.0
+            v29 = asinh(v12 / v27)
+            v52 = []
+            for node, weight in RULE_0(v29 / 0.7):
+                v31 = node * v29
+                v33 = v27 * sinh(v31)
+                v34 = sin(v33)
+                v36 = v11 * cos(v33)
+                v38 = hypot(v22, v11 * v34)
+                v50 = (asinh(v36 / v38) + R * v36 / (v38 * v38)) * v27 * cosh(v31) * v33 * v34
+                v52.append(weight * v50)
+            v52 = fsum(v52) * v29
+            value = sigma_0 * ((0.6366197723675814 if v25 else inf) * v11 * v52 + 1.2732395447351628 * (sigma_0 / E_star) * v10 * (v12 - v10 / (v11 + a)))
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             if value != value and ordinary(a, c, R, E_star, sigma_0):

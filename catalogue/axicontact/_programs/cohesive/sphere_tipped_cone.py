@@ -9,7 +9,7 @@ from ..._runtime.plain import rule
 from ..._programs.bodies.cohesive import sphere_tipped_cone as bodies
 
 RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
-RULE_1 = rule(((inf, 64),))
+RULE_1 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64), (18.03, 128)))
 
 
 def cohesive_radius(a, R, theta, E_star, dgamma, sigma_0):
@@ -203,54 +203,53 @@ def without_contact_depth(c, R, theta, E_star, dgamma, sigma_0):
             else:
                 v28 = v10
             v29 = v10 - v28
-            v51 = []
-            for node, weight in RULE_1(v29 / 1.0):
-                v31 = node * v29
-                v32 = v28 + v31
-                v34 = v9 * cos(v32)
-                v35 = v34 if v34 < v8 or v34 != v34 else v8
-                v39 = sqrt((R - v35) * (R + v35))
-                v49 = (asinh(v35 / v39) + R * v35 / (v39 * v39)) * v32 * sin(v32)
-                v51.append(weight * v49)
-            v51 = fsum(v51) * v29
-            v76 = 0.0 - v8
-            v80 = sqrt((v76 if v76 > 0.0 or v76 != v76 else 0.0) * (0.0 + v8))
-            v82 = v21 if v11 else hypot(v80, c)
-            v83 = v82 if v11 else c
-            v84 = v83 > 0.0
-            if v84:
-                v85 = v82 if v84 else v8
-                v86 = v83 if v84 else v8
-                v88 = asinh(v8 / v85)
-                v92 = 1.5707963267948966 / v88
-                v93 = atan2(v80, v86) / v88
-                v94 = asinh(v92)
-                v108 = asinh(atan2(v86, v80) / v88 * (v92 + v93) / (v92 * sqrt(1.0 + v93 * v93) + v93 * sqrt(1.0 + v92 * v92)))
-                v110 = 2.0 * v88
-                v122 = v8 * v8
-                v127 = R * cos(theta)
-                v129 = v8 * v8
-                v133 = v129 / (v127 + R)
-                v141 = v129 * R
-                v142 = v127 * v127
-                v159 = []
-                for node, weight in RULE_0(v108 / 1.0):
-                    v109 = node * v108
-                    v112 = 0.5 * v109
-                    v117 = v110 * cosh(v94 - v112) * sinh(v112)
-                    v119 = v85 * cos(v117)
-                    v121 = v85 * sin(v117)
-                    v125 = sqrt(v122 + v119 * v119)
-                    v157 = (log1p((v129 / (v119 + v125) + v133) / (v119 + v127)) + v8 * atan2(v119, v8) / v127 + v141 / (v125 * v142 + R * v119 * v127)) * v119 * v88 * cosh(v94 - v109) * atan2(v121, v125) * (v121 / v125)
-                    v159.append(weight * v157)
-                v159 = fsum(v159) * v108
-                v202 = 0.6366197723675814 * v159
-            else:
-                v202 = 0.0
-            v209 = sigma_0 / E_star
-            v213 = 0.6366197723675814 * v9 * v51 + v202 - dgamma / sigma_0 - 1.2732395447351628 * v209 * c
-            if v213 <= -(2.0 * v209 * c):
-                value = v213
+            v30 = v9 if v9 > R or v9 != v9 else R
+            v38 = 0.6366197723675814 * (R - v8) / sqrt((v30 - v8) * (v30 + v8))
+            v42 = v29 / 9.0 + 1e-300
+            v43 = v38 if v38 > v42 or v38 != v38 else v42
+            v65 = []
+            for node, weight in RULE_0(v29 / v43):
+                v44 = node * v29
+                v45 = v28 + v44
+                v48 = abs(v9 * cos(v45))
+                v49 = v48 if v48 < v8 or v48 != v48 else v8
+                v53 = sqrt((R - v49) * (R + v49))
+                v63 = (asinh(v49 / v53) + R * v49 / (v53 * v53)) * v45 * sin(v45)
+                v65.append(weight * v63)
+            v65 = fsum(v65) * v29
+            v70 = 0.0 - v8
+            v74 = sqrt((v70 if v70 > 0.0 or v70 != v70 else 0.0) * (0.0 + v8))
+            v76 = v21 if v11 else hypot(v74, c)
+            v77 = v76 if v11 else c
+            v79 = v76 if v77 > 0.0 else v8
+            v81 = asinh(v8 / v79)
+            v85 = 1.5707963267948966 / v81
+            v86 = atan2(v74, v77) / v81
+            v87 = asinh(v85)
+            v102 = asinh(atan2(v77, v74) / v81 * (v85 + v86) / (v85 * sqrt(1.0 + v86 * v86) + v86 * sqrt(1.0 + v85 * v85)))
+            v104 = 2.0 * v81
+            v118 = v8 * v8
+            v123 = R * cos(theta)
+            v125 = v8 * v8
+            v129 = v125 / (v123 + R)
+            v137 = v125 * R
+            v138 = v123 * v123
+            v155 = []
+            for node, weight in RULE_1(v102 / 1.0):
+                v103 = node * v102
+                v106 = 0.5 * v103
+                v111 = v104 * cosh(v87 - v106) * sinh(v106)
+                v112 = cos(v111)
+                v115 = v79 * (v112 if v112 > 1e-17 or v112 != v112 else 1e-17)
+                v117 = v79 * sin(v111)
+                v121 = sqrt(v118 + v115 * v115)
+                v153 = (log1p((v125 / (v115 + v121) + v129) / (v115 + v123)) + v8 * atan2(v115, v8) / v123 + v137 / (v121 * v138 + R * v115 * v123)) * v115 * v81 * cosh(v87 - v103) * atan2(v117, v121) * (v117 / v121)
+                v155.append(weight * v153)
+            v155 = fsum(v155) * v102
+            v163 = sigma_0 / E_star
+            v167 = 0.6366197723675814 * v9 * v65 + 0.6366197723675814 * v155 - dgamma / sigma_0 - 1.2732395447351628 * v163 * c
+            if v167 <= -(2.0 * v163 * c):
+                value = v167
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 if value != value and ordinary(c, R, theta, E_star, dgamma, sigma_0):
@@ -284,52 +283,51 @@ def without_contact_force(c, R, theta, E_star, dgamma, sigma_0):
             else:
                 v28 = v10
             v29 = v10 - v28
-            v51 = []
-            for node, weight in RULE_1(v29 / 1.0):
-                v31 = node * v29
-                v32 = v28 + v31
-                v34 = v9 * cos(v32)
-                v35 = v34 if v34 < v8 or v34 != v34 else v8
-                v39 = sqrt((R - v35) * (R + v35))
-                v49 = (asinh(v35 / v39) + R * v35 / (v39 * v39)) * v32 * sin(v32)
-                v51.append(weight * v49)
-            v51 = fsum(v51) * v29
-            v76 = 0.0 - v8
-            v80 = sqrt((v76 if v76 > 0.0 or v76 != v76 else 0.0) * (0.0 + v8))
-            v82 = v21 if v11 else hypot(v80, c)
-            v83 = v82 if v11 else c
-            v84 = v83 > 0.0
-            if v84:
-                v85 = v82 if v84 else v8
-                v86 = v83 if v84 else v8
-                v88 = asinh(v8 / v85)
-                v92 = 1.5707963267948966 / v88
-                v93 = atan2(v80, v86) / v88
-                v94 = asinh(v92)
-                v108 = asinh(atan2(v86, v80) / v88 * (v92 + v93) / (v92 * sqrt(1.0 + v93 * v93) + v93 * sqrt(1.0 + v92 * v92)))
-                v110 = 2.0 * v88
-                v122 = v8 * v8
-                v127 = R * cos(theta)
-                v129 = v8 * v8
-                v133 = v129 / (v127 + R)
-                v141 = v129 * R
-                v142 = v127 * v127
-                v159 = []
-                for node, weight in RULE_0(v108 / 1.0):
-                    v109 = node * v108
-                    v112 = 0.5 * v109
-                    v117 = v110 * cosh(v94 - v112) * sinh(v112)
-                    v119 = v85 * cos(v117)
-                    v121 = v85 * sin(v117)
-                    v125 = sqrt(v122 + v119 * v119)
-                    v157 = (log1p((v129 / (v119 + v125) + v133) / (v119 + v127)) + v8 * atan2(v119, v8) / v127 + v141 / (v125 * v142 + R * v119 * v127)) * v119 * v88 * cosh(v94 - v109) * atan2(v121, v125) * (v121 / v125)
-                    v159.append(weight * v157)
-                v159 = fsum(v159) * v108
-                v202 = 0.6366197723675814 * v159
-            else:
-                v202 = 0.0
-            v209 = sigma_0 / E_star
-            if 0.6366197723675814 * v9 * v51 + v202 - dgamma / sigma_0 - 1.2732395447351628 * v209 * c <= -(2.0 * v209 * c):
+            v30 = v9 if v9 > R or v9 != v9 else R
+            v38 = 0.6366197723675814 * (R - v8) / sqrt((v30 - v8) * (v30 + v8))
+            v42 = v29 / 9.0 + 1e-300
+            v43 = v38 if v38 > v42 or v38 != v38 else v42
+            v65 = []
+            for node, weight in RULE_0(v29 / v43):
+                v44 = node * v29
+                v45 = v28 + v44
+                v48 = abs(v9 * cos(v45))
+                v49 = v48 if v48 < v8 or v48 != v48 else v8
+                v53 = sqrt((R - v49) * (R + v49))
+                v63 = (asinh(v49 / v53) + R * v49 / (v53 * v53)) * v45 * sin(v45)
+                v65.append(weight * v63)
+            v65 = fsum(v65) * v29
+            v70 = 0.0 - v8
+            v74 = sqrt((v70 if v70 > 0.0 or v70 != v70 else 0.0) * (0.0 + v8))
+            v76 = v21 if v11 else hypot(v74, c)
+            v77 = v76 if v11 else c
+            v79 = v76 if v77 > 0.0 else v8
+            v81 = asinh(v8 / v79)
+            v85 = 1.5707963267948966 / v81
+            v86 = atan2(v74, v77) / v81
+            v87 = asinh(v85)
+            v102 = asinh(atan2(v77, v74) / v81 * (v85 + v86) / (v85 * sqrt(1.0 + v86 * v86) + v86 * sqrt(1.0 + v85 * v85)))
+            v104 = 2.0 * v81
+            v118 = v8 * v8
+            v123 = R * cos(theta)
+            v125 = v8 * v8
+            v129 = v125 / (v123 + R)
+            v137 = v125 * R
+            v138 = v123 * v123
+            v155 = []
+            for node, weight in RULE_1(v102 / 1.0):
+                v103 = node * v102
+                v106 = 0.5 * v103
+                v111 = v104 * cosh(v87 - v106) * sinh(v106)
+                v112 = cos(v111)
+                v115 = v79 * (v112 if v112 > 1e-17 or v112 != v112 else 1e-17)
+                v117 = v79 * sin(v111)
+                v121 = sqrt(v118 + v115 * v115)
+                v153 = (log1p((v125 / (v115 + v121) + v129) / (v115 + v123)) + v8 * atan2(v115, v8) / v123 + v137 / (v121 * v138 + R * v115 * v123)) * v115 * v81 * cosh(v87 - v103) * atan2(v117, v121) * (v117 / v121)
+                v155.append(weight * v153)
+            v155 = fsum(v155) * v102
+            v163 = sigma_0 / E_star
+            if 0.6366197723675814 * v9 * v65 + 0.6366197723675814 * v155 - dgamma / sigma_0 - 1.2732395447351628 * v163 * c <= -(2.0 * v163 * c):
                 value = -3.141592653589793 * sigma_0 * c * c
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
@@ -352,65 +350,64 @@ def work_of_separation(a, c, R, theta, E_star, sigma_0):
         try:
             v6 = c - a
             v11 = sqrt((v6 if v6 > 0.0 or v6 != v6 else 0.0) * (c + a))
-            v12 = hypot(a, v11)
-            v13 = atan2(v11, a)
-            v15 = R * sin(theta)
-            v16 = a < v15
-            v17 = v15 - a
-            v21 = sqrt((v17 if v17 > 0.0 or v17 != v17 else 0.0) * (v15 + a))
+            v13 = R * sin(theta)
+            v14 = hypot(a, v11)
+            v15 = atan2(v11, a)
+            v16 = a < v13
+            v17 = v13 - a
+            v21 = sqrt((v17 if v17 > 0.0 or v17 != v17 else 0.0) * (v13 + a))
             v22 = v11 - v21
             v26 = sqrt((v22 if v22 > 0.0 or v22 != v22 else 0.0) * (v11 + v21))
             if v16:
-                v31 = (atan2(v26 if v16 else v11, v15) if v16 else v13) if v12 > v15 else 0.0
-                v33 = v31 if v31 < v13 or v31 != v31 else v13
+                v31 = (atan2(v26 if v16 else v11, v13) if v16 else v15) if v14 > v13 else 0.0
+                v33 = v31 if v31 < v15 or v31 != v31 else v15
             else:
-                v33 = v13
-            v34 = v13 - v33
-            v56 = []
-            for node, weight in RULE_1(v34 / 1.0):
-                v36 = node * v34
-                v37 = v33 + v36
-                v39 = v12 * cos(v37)
-                v40 = v39 if v39 < v15 or v39 != v39 else v15
-                v44 = sqrt((R - v40) * (R + v40))
-                v54 = (asinh(v40 / v44) + R * v40 / (v44 * v44)) * v37 * sin(v37)
-                v56.append(weight * v54)
-            v56 = fsum(v56) * v34
-            v81 = a - v15
-            v85 = sqrt((v81 if v81 > 0.0 or v81 != v81 else 0.0) * (a + v15))
-            v87 = v26 if v16 else hypot(v85, v11)
-            v88 = v87 if v16 else v11
-            v89 = v88 > 0.0
-            if v89:
-                v90 = v87 if v89 else v15
-                v91 = v88 if v89 else v15
-                v93 = asinh(v15 / v90)
-                v97 = 1.5707963267948966 / v93
-                v98 = atan2(v85, v91) / v93
-                v99 = asinh(v97)
-                v113 = asinh(atan2(v91, v85) / v93 * (v97 + v98) / (v97 * sqrt(1.0 + v98 * v98) + v98 * sqrt(1.0 + v97 * v97)))
-                v115 = 2.0 * v93
-                v127 = v15 * v15
-                v132 = R * cos(theta)
-                v134 = v15 * v15
-                v138 = v134 / (v132 + R)
-                v146 = v134 * R
-                v147 = v132 * v132
-                v164 = []
-                for node, weight in RULE_0(v113 / 1.0):
-                    v114 = node * v113
-                    v117 = 0.5 * v114
-                    v122 = v115 * cosh(v99 - v117) * sinh(v117)
-                    v124 = v90 * cos(v122)
-                    v126 = v90 * sin(v122)
-                    v130 = sqrt(v127 + v124 * v124)
-                    v162 = (log1p((v134 / (v124 + v130) + v138) / (v124 + v132)) + v15 * atan2(v124, v15) / v132 + v146 / (v130 * v147 + R * v124 * v132)) * v124 * v93 * cosh(v99 - v114) * atan2(v126, v130) * (v126 / v130)
-                    v164.append(weight * v162)
-                v164 = fsum(v164) * v113
-                v207 = 0.6366197723675814 * v164
-            else:
-                v207 = 0.0
-            value = sigma_0 * (0.6366197723675814 * v12 * v56 + v207 + 1.2732395447351628 * (sigma_0 / E_star) * v11 * (v13 - v11 / (v12 + a)))
+                v33 = v15
+            v34 = v15 - v33
+            v35 = v14 if v14 > R or v14 != v14 else R
+            v43 = 0.6366197723675814 * (R - v13) / sqrt((v35 - v13) * (v35 + v13))
+            v47 = v34 / 9.0 + 1e-300
+            v48 = v43 if v43 > v47 or v43 != v43 else v47
+            v70 = []
+            for node, weight in RULE_0(v34 / v48):
+                v49 = node * v34
+                v50 = v33 + v49
+                v53 = abs(v14 * cos(v50))
+                v54 = v53 if v53 < v13 or v53 != v53 else v13
+                v58 = sqrt((R - v54) * (R + v54))
+                v68 = (asinh(v54 / v58) + R * v54 / (v58 * v58)) * v50 * sin(v50)
+                v70.append(weight * v68)
+            v70 = fsum(v70) * v34
+            v75 = a - v13
+            v79 = sqrt((v75 if v75 > 0.0 or v75 != v75 else 0.0) * (a + v13))
+            v81 = v26 if v16 else hypot(v79, v11)
+            v82 = v81 if v16 else v11
+            v84 = v81 if v82 > 0.0 else v13
+            v86 = asinh(v13 / v84)
+            v90 = 1.5707963267948966 / v86
+            v91 = atan2(v79, v82) / v86
+            v92 = asinh(v90)
+            v107 = asinh(atan2(v82, v79) / v86 * (v90 + v91) / (v90 * sqrt(1.0 + v91 * v91) + v91 * sqrt(1.0 + v90 * v90)))
+            v109 = 2.0 * v86
+            v123 = v13 * v13
+            v128 = R * cos(theta)
+            v130 = v13 * v13
+            v134 = v130 / (v128 + R)
+            v142 = v130 * R
+            v143 = v128 * v128
+            v160 = []
+            for node, weight in RULE_1(v107 / 1.0):
+                v108 = node * v107
+                v111 = 0.5 * v108
+                v116 = v109 * cosh(v92 - v111) * sinh(v111)
+                v117 = cos(v116)
+                v120 = v84 * (v117 if v117 > 1e-17 or v117 != v117 else 1e-17)
+                v122 = v84 * sin(v116)
+                v126 = sqrt(v123 + v120 * v120)
+                v158 = (log1p((v130 / (v120 + v126) + v134) / (v120 + v128)) + v13 * atan2(v120, v13) / v128 + v142 / (v126 * v143 + R * v120 * v128)) * v120 * v86 * cosh(v92 - v108) * atan2(v122, v126) * (v122 / v126)
+                v160.append(weight * v158)
+            v160 = fsum(v160) * v107
+            value = sigma_0 * (0.6366197723675814 * v14 * v70 + 0.6366197723675814 * v160 + 1.2732395447351628 * (sigma_0 / E_star) * v11 * (v15 - v11 / (v14 + a)))
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             if value != value and ordinary(a, c, R, theta, E_star, sigma_0):

@@ -492,6 +492,61 @@ def block_mean_pressure_all(out, a, theta, b, E_star, t0, t1, t2, t3, t4, t5, t6
         np.copyto(out, C15, where=~m0)
 
 
+def peak_pressure(a, theta, b, E_star):
+    if a.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            if 0.0 < a:
+                v7 = sqrt(0.0 + b * b)
+                v8 = a - 0.0
+                v12 = sqrt((v8 if v8 > 0.0 or v8 != v8 else 0.0) * (a + 0.0))
+                v14 = asinh(v12 / v7)
+                v19 = 0.0 - expm1(-2.0 * v14)
+                v22 = v19 if v19 > 0.0 else inf
+                v38 = tan(theta)
+                v40 = b * v38
+                v44 = b * b
+                v49 = v7 * v7
+                v53 = []
+                for node, weight in RULE_0(v14 / 1.0):
+                    v23 = node * v14
+                    v32 = v12 * (exp(-v23) * (0.0 - expm1(-2.0 * (v14 - v23))) / v22)
+                    v33 = v32 * v32
+                    v35 = sqrt(0.0 + v33)
+                    v52 = (v38 * atan(v35 / b) + v40 * v35 / (v35 * v35 + v44)) / v35 * sqrt(v49 + v33)
+                    v53.append(weight * v52)
+                v53 = fsum(v53) * v14
+                value = E_star / 3.141592653589793 * v53
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                if value != value and ordinary(a, theta, b, E_star):
+                    return value
+                return None
+            return 0.0
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def peak_radius(a, theta=0.7853981633974483, b=1.0, E_star=1.0):
+    if a.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            return 0.0
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_peak_radius_all():
+    return ()
+
+
+def block_peak_radius_all(out, a):
+    np.copyto(out, C15)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+
+
 def pressure(r, a, theta, b, E_star):
     if r.__class__ is a.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
         try:
@@ -645,6 +700,9 @@ BLOCKS = {
     ('_mean_pressure', 1, 'a', 'theta', 'b', 'E_star'): {
         ('a',): (('a',), prepare_mean_pressure_a, block_mean_pressure_a, 6, 2, (1.0,), False),
         ('a', 'theta', 'b', 'E_star'): (('a', 'theta', 'b', 'E_star'), prepare_mean_pressure_all, block_mean_pressure_all, 8, 2, (1.0,), False),
+    },
+    ('_peak_radius', 1, 'a'): {
+        ('a',): (('a',), prepare_peak_radius_all, block_peak_radius_all, 0, 0, (), False),
     },
     ('_profile', 1, 'r', 'theta', 'b'): {
         ('r',): (('r',), prepare_profile_r, block_profile_r, 1, 0, (), False),

@@ -652,6 +652,85 @@ def block_mean_pressure_all(out, a, R, E_star, t0):
     np.multiply(t0, a, out)
 
 
+def peak_pressure(a, R, E_star):
+    if a.__class__ is R.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            if 0.0 < a:
+                return 2.0 * E_star / (3.141592653589793 * R) * sqrt((a - 0.0) * (a + 0.0))
+            return 0.0
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_peak_pressure_a(R, E_star):
+    v10 = (2.0) * E_star
+    v12 = (3.141592653589793) * R
+    v13 = v10 / v12
+    return (v13,)
+
+
+def block_peak_pressure_a(out, a, v13, t0, m0):
+    size = out.size
+    np.less(C28, a, m0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    some15 = np.count_nonzero(m0)
+    if some15:
+        np.subtract(a, C28, out)
+        np.add(a, C28, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
+        np.multiply(v13, t0, out)
+    if some15 != size:
+        np.copyto(out, C28, where=~m0)
+
+
+def prepare_peak_pressure_all():
+    return ()
+
+
+def block_peak_pressure_all(out, a, R, E_star, t0, t1, m0):
+    size = out.size
+    np.less(C28, a, m0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    some15 = np.count_nonzero(m0)
+    if some15:
+        np.subtract(a, C28, out)
+        np.add(a, C28, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
+        np.multiply(C0, E_star, out)
+        np.multiply(C22, R, t1)
+        np.divide(out, t1, t1)
+        np.multiply(t1, t0, out)
+    if some15 != size:
+        np.copyto(out, C28, where=~m0)
+
+
+def peak_radius(a, R=1.0, E_star=1.0):
+    if a.__class__ is R.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            return 0.0
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_peak_radius_all():
+    return ()
+
+
+def block_peak_radius_all(out, a):
+    np.copyto(out, C28)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+
+
 def pressure(r, a, R, E_star):
     if r.__class__ is a.__class__ is R.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
         try:
@@ -911,6 +990,13 @@ BLOCKS = {
     ('_mean_pressure', 1, 'a', 'R', 'E_star'): {
         ('a',): (('a',), prepare_mean_pressure_a, block_mean_pressure_a, 0, 0, (), False),
         ('a', 'R', 'E_star'): (('a', 'R', 'E_star'), prepare_mean_pressure_all, block_mean_pressure_all, 1, 0, (), False),
+    },
+    ('_peak_pressure', 1, 'a', 'R', 'E_star'): {
+        ('a',): (('a',), prepare_peak_pressure_a, block_peak_pressure_a, 1, 1, (), False),
+        ('a', 'R', 'E_star'): (('a', 'R', 'E_star'), prepare_peak_pressure_all, block_peak_pressure_all, 2, 1, (), False),
+    },
+    ('_peak_radius', 1, 'a'): {
+        ('a',): (('a',), prepare_peak_radius_all, block_peak_radius_all, 0, 0, (), False),
     },
     ('_pressure', 2, 'r', 'a', 'R', 'E_star'): {
         ('r',): (('r',), prepare_pressure_r, block_pressure_r, 1, 0, (0.0,), True),

@@ -15,7 +15,8 @@ C1 = np.array(3.0)
 C2 = np.array(4.0)
 C3 = np.array(9.42477796076938)
 C4 = np.array(3.141592653589793)
-C5 = np.array(0.5)
+C5 = np.array(0.0)
+C6 = np.array(0.5)
 RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
 
 
@@ -514,6 +515,72 @@ def block_mean_pressure_all(out, a, theta, b, E_star, t0, t1, t2, t3, t4, t5, m0
             np.copyto(out, other35, where=~m0)
 
 
+def peak_pressure(a, theta, b, E_star):
+    if a.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            if 0.0 < a:
+                v5 = a if a < b or a != a else b
+                v13 = tan(theta)
+                v23 = nextafter(b, inf) if 0.0 == b else 0.0
+                if a > (v23 if v23 > b or v23 != v23 else b):
+                    v24 = v23 < b
+                    v27 = a - b
+                    v31 = sqrt((v27 if v27 > 0.0 or v27 != v27 else 0.0) * (a + b))
+                    if v24:
+                        v37 = v31
+                    else:
+                        v32 = a - v23
+                        v37 = sqrt((v32 if v32 > 0.0 or v32 != v32 else 0.0) * (a + v23))
+                    v44 = asinh(v37 / sqrt(abs(v23 - b) * (v23 + b)))
+                    v45 = 2.0 * (0.0 if v24 else 1.0)
+                    v46 = 1.0 - v45
+                    v51 = v45 - v46 * expm1(-2.0 * v44)
+                    v53 = v51 if v51 > 0.0 else inf
+                    v67 = b * b
+                    v73 = 2.0 * b
+                    v80 = []
+                    for node, weight in RULE_0(v44 / 1.0):
+                        v56 = node * v44
+                        v66 = v31 * (exp(-v56) * (v45 - v46 * expm1(-2.0 * (v44 - v56))) / v53)
+                        v70 = sqrt(v67 + v66 * v66)
+                        v79 = v13 * (atan(v66 / b) + v73 / (v66 + v70)) * v66 / v70
+                        v80.append(weight * v79)
+                    v80 = fsum(v80) * v44
+                    v81 = v80
+                else:
+                    v81 = 0.0
+                value = (2.0 * E_star * v13 / (3.141592653589793 * b) * sqrt((v5 - 0.0) * (v5 + 0.0)) if 0.0 < v5 else 0.0) + E_star / 3.141592653589793 * v81
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                if value != value and ordinary(a, theta, b, E_star):
+                    return value
+                return None
+            return 0.0
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def peak_radius(a, theta=0.7853981633974483, b=1.0, E_star=1.0):
+    if a.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            return 0.0
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_peak_radius_all():
+    return ()
+
+
+def block_peak_radius_all(out, a):
+    np.copyto(out, C5)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+
+
 def pressure(r, a, theta, b, E_star):
     if r.__class__ is a.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
         try:
@@ -617,7 +684,7 @@ def block_profile_all(out, r, theta, b, t0, t1, m0):
         np.multiply(out, t1, out)
     if some14 != size:
         other14 = t1 if some14 else out
-        np.multiply(b, C5, other14)
+        np.multiply(b, C6, other14)
         np.subtract(r, other14, other14)
         np.multiply(t0, other14, other14)
         if some14:
@@ -695,6 +762,9 @@ BLOCKS = {
     ('_mean_pressure', 1, 'a', 'theta', 'b', 'E_star'): {
         ('a',): (('a',), prepare_mean_pressure_a, block_mean_pressure_a, 3, 1, (), False),
         ('a', 'theta', 'b', 'E_star'): (('a', 'theta', 'b', 'E_star'), prepare_mean_pressure_all, block_mean_pressure_all, 6, 1, (), False),
+    },
+    ('_peak_radius', 1, 'a'): {
+        ('a',): (('a',), prepare_peak_radius_all, block_peak_radius_all, 0, 0, (), False),
     },
     ('_profile', 1, 'r', 'theta', 'b'): {
         ('r',): (('r',), prepare_profile_r, block_profile_r, 1, 1, (), False),

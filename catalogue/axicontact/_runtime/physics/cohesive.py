@@ -19,18 +19,25 @@ from ..inverse import inverse
 Opening = Callable[[Array, Array], tuple[Array, Array]]
 """Of q and a the gap of the normal contact at c, and its rate with c."""
 Slope = Callable[..., Array]
-NODES, SHORT, TIP = 32, 16, 64
-"""Of a slope of any form, of a polynomial up to the fifth power, and of a tip of any form."""
+Lengths = tuple[tuple[float, int], ...]
+POLYNOMIAL, ENTIRE = ((0.45, 8), (np.inf, 16)), ((0.5, 16), (np.inf, 32))
+"""Nodes by the length of a path, for a slope that is a polynomial up to the fifth power or has no singularities."""
+LENGTHS = (*STRIPS, (18.03, 128))
+"""Next to no contact a path is long: with these, four panels go as far as there are states."""
 NARROW = 0.7
 """Of pi/2: how close images of the end of a profile come to the path."""
-WITHIN = 1.0 - 1e-6
-"""Of the largest q: a zone that comes closer to the end of a profile is not looked for."""
+INSIDE, WITHIN = 0.75, 1.0 - 1e-6
+"""Of the largest q: where the gap is looked at for a first guess, and a zone closer to the end is not looked for."""
 DECAY, FALLING = 40.0, 1.2
 """exp(-40) of a gap is less than its rounding; powers above 1.2 leave even less of it, and need half of the nodes."""
 EXPONENTS = (0.5, 4.0)
 """Of the gap in q, as a guess: from the ring alone to the narrow zone of a steep profile."""
-SAME = 1e-13
+CLOSE = 3e-8
+"""Miss of the gap, by itself, that one more step in q makes small beside rounding."""
+SAME = 1e-12
 """Change of q beyond which the rate is looked at again."""
+LEAST = 1e-17
+"""What a root beyond a break is no less than, over that of c: it would be less than 0 by rounding where c is far."""
 CLOSEST = 1e-9
 """Root of 1 - (r/c)**2 next to r = c: no double is closer but c itself."""
 EMPTY = 0.5 * np.pi - 1.0
@@ -57,27 +64,31 @@ def half_angle(q: Array, a: Array) -> Array:
 def both(
     integrand: Callable[[Array], tuple[Array, Array]],
     stop: Array,
-    width: float = 1.0,
-    lengths: tuple[tuple[float, int], ...] = STRIPS,
+    width: Array | float = 1.0,
+    lengths: Lengths = LENGTHS,
 ) -> tuple[Array, Array]:
     """The integrals of both members of a pair from 0 to `stop`."""
+    if hasattr(stop, "integrals"):
+        return stop.integrals(integrand, width, lengths)
     gap = integral_by_length(lambda x: integrand(x)[0], stop, width, lengths)
     return gap, integral_by_length(lambda x: integrand(x)[1], stop, width, lengths)
 
 
-def opening(slope: Slope, q: Array, a: Array, nodes: int) -> tuple[Array, Array]:
+def opening(slope: Slope, q: Array, a: Array, lengths: Lengths) -> tuple[Array, Array]:
     """For g' without singularities."""
-    return _along(slope, np.hypot(a, q), 0.0, np.arctan2(q, a), nodes)
+    return _along(slope, np.hypot(a, q), 0.0, np.arctan2(q, a), 1.0, lengths)
 
 
-def _along(slope: Slope, c: Array, start: Array | float, length: Array, nodes: int) -> tuple[Array, Array]:
+def _along(
+    slope: Slope, c: Array, start: Array | float, length: Array, width: Array | float, lengths: Lengths
+) -> tuple[Array, Array]:
     def gained(v: Array) -> tuple[Array, Array]:
         u = start + v
         cosine = np.cos(u)
         growth = slope(c * cosine)
         return growth * u * np.sin(u), growth * cosine
 
-    gap, rate = both(gained, length, 1.0, ((np.inf, nodes),))
+    gap, rate = both(gained, length, width, lengths)
     return 2.0 / np.pi * c * gap, 2.0 / np.pi * rate
 
 
@@ -138,19 +149,31 @@ def opening_below(slope: Slope, q: Array, a: Array, R: Array) -> tuple[Array, Ar
         return growth * u * sine, growth * cosine
 
     gap, rate = both(gained, end, NARROW)
-    return np.where(inside, 2.0 / np.pi * c * gap, np.inf), np.where(inside, 2.0 / np.pi * rate, np.inf)
+    factor = np.where(inside, 2.0 / np.pi, np.inf)
+    return factor * c * gap, factor * rate
 
 
-def opening_tip(slope: Slope, q: Array, a: Array, b: Array, nodes: int) -> tuple[Array, Array]:
-    """What is below a break at b of g' without singularities there."""
+def opening_tip(slope: Slope, q: Array, a: Array, b: Array, R: Array | None = None) -> tuple[Array, Array]:
+    """What is below a break at b of g' that is a polynomial, or singular at t = R."""
     c, end = np.hypot(a, q), np.arctan2(q, a)
     # c**2 - b**2 without a difference of squares
     outer = np.where(a < b, np.sqrt(np.maximum(q - difference_root(b, a), 0.0) * (q + difference_root(b, a))), q)
     start = np.where(a < b, np.arctan2(outer, b), end)
     start = np.minimum(np.where(c > b, start, 0.0), end)
     start = np.where(a < b, start, end)
-    # where nothing is below the break the slope is asked for beyond it, and may be no number there
-    return _along(lambda t: slope(np.minimum(t, b)), c, start, end - start, nodes)
+    length = end - start
+
+    def below(t: Array) -> Array:
+        # elsewhere the slope may be no number: where nothing is below the break, or c is so far that t is its rounding
+        return slope(np.minimum(np.abs(t), b))
+
+    if R is None:
+        return _along(below, c, start, length, 1.0, POLYNOMIAL)
+    # the singularity is (R - b)/sqrt(max(c, R)**2 - b**2) away at least; 64 nodes have to do for the nearest ones.
+    # A width of nothing, where c is out of range, is none
+    far = np.maximum(c, R)
+    width = 2.0 / np.pi * (R - b) / np.sqrt((far - b) * (far + b))
+    return _along(below, c, start, length, np.maximum(width, length / 9.0 + 1e-300), STRIPS)
 
 
 def opening_beyond(slope: Slope, q: Array, a: Array, b: Array) -> tuple[Array, Array]:
@@ -160,8 +183,8 @@ def opening_beyond(slope: Slope, q: Array, a: Array, b: Array) -> tuple[Array, A
     outer = np.where(a < b, np.sqrt(np.maximum(q - short, 0.0) * (q + short)), np.hypot(inner, q))
     # next to each other the two roots are equal, and their difference is not
     whole = np.where(a < b, outer, q)
-    holds = whole > 0.0
-    outer, whole = np.where(holds, outer, b), np.where(holds, whole, b)
+    # where nothing is beyond the break the path has no length
+    outer = np.where(whole > 0.0, outer, b)
     scale = np.arcsinh(b / outer)
     # root = outer cos(angle), angle = pi/2 - scale sinh(last - v)
     angle = np.arctan2(whole, inner)
@@ -169,20 +192,18 @@ def opening_beyond(slope: Slope, q: Array, a: Array, b: Array) -> tuple[Array, A
 
     def gained(v: Array) -> tuple[Array, Array]:
         turned = 2.0 * scale * np.cosh(last - 0.5 * v) * np.sinh(0.5 * v)
-        root, side = outer * np.cos(turned), outer * np.sin(turned)
+        root, side = outer * np.maximum(np.cos(turned), LEAST), outer * np.sin(turned)
         t = np.sqrt(b * b + root * root)
         growth = slope(t, root) * root * scale * np.cosh(last - v)
         return growth * np.arctan2(side, t) * (side / t), growth / c
 
     gap, rate = both(gained, end)
-    return np.where(holds, 2.0 / np.pi * gap, 0.0), np.where(holds, 2.0 / np.pi * rate, 0.0)
+    return 2.0 / np.pi * gap, 2.0 / np.pi * rate
 
 
 def work_of_zone(opened: Opening, q: Array, a: Array, E_star: Array, sigma_0: Array) -> Array:
     """sigma_0 times the gap at c."""
-    c, angle = np.hypot(a, q), np.arctan2(q, a)
-    gap, _ = opened(q, a)
-    return sigma_0 * (gap + 4.0 / np.pi * (sigma_0 / E_star) * q * (angle - q / (c + a)))
+    return sigma_0 * (opened(q, a)[0] + ring_of_zone(q, a, E_star, sigma_0))
 
 
 def zone_within(opened: Opening, a: Array, E_star: Array, dgamma: Array, sigma_0: Array, largest: Array) -> Array:
@@ -198,8 +219,24 @@ def root_of_zone(
     """The q at which the gap at c is dgamma/sigma_0."""
     # the gap of the ring alone is nearly q**2/(2 a + q/EMPTY) of its load
     part = 0.25 * np.pi * (dgamma / sigma_0) * (E_star / sigma_0)
-    start = 0.5 * part / EMPTY + np.sqrt((0.5 * part / EMPTY) ** 2 + 2.0 * a * part)
-    return root_near(opened, start, a, E_star, dgamma, sigma_0, largest)[0]
+    wide = 0.5 / EMPTY * part
+    # roots apart: for lengths beyond 1e154 the product leaves the range
+    start = wide + np.hypot(wide, np.sqrt(2.0 * a) * np.sqrt(part))
+    start = np.minimum(start, INSIDE * largest)
+    # both parts of the gap there, as powers of q
+    c, (gap, rate) = np.hypot(a, start), opened(start, a)
+    known = gap > 0.0
+    grown = np.where(known, start / np.where(known, gap, 1.0) * (start / c) * rate, 1.0)
+    ring = 1.0 + a / c
+    blend = 0.5 * (grown + ring)
+    own = ring_of_zone(start, a, E_star, sigma_0) * (sigma_0 / dgamma)
+    whole = (gap * (sigma_0 / dgamma)) ** (blend / grown) + own ** (blend / ring)
+    return root_near(opened, start * whole ** (-1.0 / blend), a, E_star, dgamma, sigma_0, largest, CLOSE)[0]
+
+
+def ring_of_zone(q: Array, a: Array, E_star: Array, sigma_0: Array) -> Array:
+    """What the ring adds to the gap at c."""
+    return 4.0 / np.pi * (sigma_0 / E_star) * q * (np.arctan2(q, a) - q / (np.hypot(a, q) + a))
 
 
 def root_near(
@@ -210,6 +247,7 @@ def root_near(
     dgamma: Array,
     sigma_0: Array,
     largest: Array | float = np.inf,
+    close: float = 3e-7,
 ) -> tuple[Array, Array]:
     """The same from a guess on, and the rate of the gap with c there."""
     load, looked = 4.0 / np.pi * (sigma_0 / E_star), []
@@ -223,10 +261,15 @@ def root_near(
         whole = gap + load * q * (angle - q / (c + a))
         return whole, q / whole * (q / c) * (rate + load * (angle / (q / c) - short))
 
-    start = np.minimum(start, 0.75 * largest)
-    q = inverse(curve, dgamma / sigma_0, start, EXPONENTS, largest, smooth=True)
-    last, rate = looked[-1]
-    return q, opened(q, a)[1] if np.any(np.abs(q - last) > SAME * q) else rate
+    value = dgamma / sigma_0
+    q = inverse(curve, value, np.minimum(start, WITHIN * largest), EXPONENTS, largest, smooth=True, noise=close * value)
+    # the last step is not looked at where two points say how the rate goes on
+    (before, rate_before), (last, rate) = looked[-2:][0], looked[-1]
+    known = (before != last) & (rate_before > 0.0)
+    if np.any(np.where(known, 0.0, np.abs(q - last)) > SAME * q):
+        return q, opened(q, a)[1]
+    ways = np.log(np.where(known, last / before, 1.0)), np.log(np.where(known, rate / rate_before, 1.0))
+    return q, rate * (q / last) ** np.where(known, ways[1] / np.where(known, ways[0], 1.0), 0.0)
 
 
 def sunk(q: Array, E_star: Array, sigma_0: Array) -> Array:

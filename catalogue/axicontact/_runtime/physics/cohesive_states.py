@@ -23,8 +23,8 @@ LEAST, SHORT = 1e-20, 1e-2
 """Of contact radii over the zone of a contact that closes: what counts as none, and what is below every end."""
 WALKED, STEPS, CLOSE = 90, 60, 1e-9
 """States of a walk and of a search, and how near a walk comes to the end of a profile."""
-SETTLED, UNMOVED, ROUNDING = 2e-14, 1e-15, 1e-15
-"""The miss and the step that end a search, and how far below pull-off a load counts as that."""
+SETTLED, UNMOVED, ROUNDING = 1e-11, 1e-15, 1e-15
+"""The miss, left to a last step, and the step that end a search; how far below pull-off a load counts as that."""
 SHORTEST, LONGEST, STEEP, FLAT, BEYOND = 0.7, 27.0, 1.0, 0.3, 1.2
 """Steps of a walk in ln a; the power of a with which what is missed grows, and its least; how far beyond it aims."""
 
@@ -86,7 +86,7 @@ def endless(a: Array) -> Array:
 
 def radius_of_pull_off(near: Near, stretch: Stretch) -> Array:
     """That of the least load: 0 where it falls as long as there is a contact, not a number beyond the profile."""
-    return _least(_risen(near, _walked(near, stretch, _by_ratio))).a
+    return _least(_risen(near, _walked(near, stretch, _by_ratio, _never))).a
 
 
 def radius_under(near: Near, value: Array, stretch: Stretch) -> Array:
@@ -97,7 +97,11 @@ def radius_under(near: Near, value: Array, stretch: Stretch) -> Array:
         far = np.where(state.load > 0.0, np.log(np.maximum(state.load, LEAST * value) / value), -SHORTEST)
         return np.where(state.ratio < 1.0, np.log(state.ratio), np.where(state.load < value, far, 0.0))
 
-    risen, left = _risen(near, _walked(near, stretch, missed)), value < np.inf
+    # where the load grows at a radius and is below the value, and reaches it above, minima further down do not matter
+    found = _walked(near, stretch, missed, lambda state: (state.ratio >= 1.0) & (state.load <= value))
+    if np.all(found[0].a > 0.0) and not np.all(found[-1].load >= value):
+        found = _walked(near, stretch, missed, _never)
+    risen, left = _risen(near, found), value < np.inf
     least, a = _least(risen), np.full_like(value, np.nan)
     for start, high, _ in risen[::-1]:
         met = left & (start.load - value <= ROUNDING * (np.abs(start.load) + np.abs(value))) & (high.load >= value)
@@ -134,7 +138,7 @@ def parted(opened: Opening, first: Array, E_star: Array, sigma_0: Array) -> Arra
 
     last = near(first, first)
     least = _between(near, _by_ratio, _none(last)._replace(a=np.zeros_like(first)), last, last.ratio >= 1.0)
-    return np.where(least.ratio < 2.0, least.a, 0.0 * first)
+    return np.where(np.isnan(least.a), 0.0, least.a)
 
 
 def _by_ratio(state: State) -> Array:
@@ -168,17 +172,30 @@ def _picked(condition: Array, one: tuple[Array, ...], other: tuple[Array, ...]) 
     return [np.where(condition, x, y) for x, y in zip(one, other, strict=True)]
 
 
-def _walked(near: Near, stretch: Stretch, missed: Missed) -> list[State]:
-    """States in ascending order, from no contact on to where nothing is missed, or to the end of the profile."""
+def _never(state: State) -> Array:
+    return state.ratio < 0.0
+
+
+def _walked(near: Near, stretch: Stretch, missed: Missed, enough: Callable[[State], Array]) -> list[State]:
+    """States in ascending order on to where nothing is missed, or to the end of the profile.
+
+    They begin at the highest of the radii at which there is `enough`, without a contact if there is none.
+    """
     first, own, top, within, rises = stretch
-    last = near(np.zeros_like(first), first)
-    found = [last]
-    for a in own:
-        here = near(within(a), _guess(found, a))
+    states, guides = list[State](), list[State]()
+    for a in own[::-1]:
+        guess = _guess(guides, a) if guides else first
+        states.append(near(within(a), guess))
+        guides.append(State(a, np.where(np.isnan(states[-1].q), guess, states[-1].q), *states[-1][2:]))
+        if np.all(enough(states[-1])):
+            break
+    found = [] if np.all(enough(states[-1])) else [near(np.zeros_like(first), first)]
+    for here, a in zip(states[::-1], own[-len(states) :], strict=True):
         # no state: the zone would reach beyond the profile
         reached = here.ratio == here.ratio
-        last, top = _chosen(reached, here, last), np.where(reached, top, np.minimum(a, top))
-        found.append(last)
+        found.append(_chosen(reached, here, found[-1]) if found else here)
+        top = np.where(reached, top, np.minimum(a, top))
+    last = found[-1]
     step, ended, steep = np.full_like(first, SHORTEST), first != first, np.full_like(first, STEEP)
     for _ in range(WALKED):
         short = missed(last)
@@ -201,7 +218,7 @@ def _walked(near: Near, stretch: Stretch, missed: Missed) -> list[State]:
 def _guess(found: list[State], a: Array) -> Array:
     """q at a radius, by a line in logarithms through the last two states."""
     last, before = found[-1], found[-2:][0]
-    known = (before.a > 0.0) & (last.a > before.a)
+    known = (before.a > 0.0) & (last.a != before.a)
     slope = np.where(known, np.log(last.q / before.q) / np.log(last.a / before.a), 0.0)
     return last.q * np.where(known, (a / last.a) ** slope, 1.0)
 
@@ -223,8 +240,9 @@ def _between(near: Near, missed: Missed, low: State, high: State, holds: Array) 
         slope = (z_b - z) / (x_b - x)
         bend = np.where(x_c == x_b, 0.0, (slope - (z_c - z) / (x_c - x)) / (x_b - x_c))
         state = near(unit * np.exp(moved), np.exp(z + (moved - x) * (slope + (moved - x_b) * bend)))
-        best, gone = _chosen(left, state, best), np.abs(moved - x)
-        found = missed(state)
+        found, gone = missed(state), np.abs(moved - x)
+        rest = np.where((np.abs(found) <= SETTLED) & (found != y), found * (moved - x) / (found - y), 0.0)
+        best = _chosen(left, state._replace(a=unit * np.exp(moved - rest)), best)
         left = left & (np.abs(found) > SETTLED) & (gone > UNMOVED)
         if not np.count_nonzero(left):
             break

@@ -141,7 +141,7 @@ def pull_off(
 def work_of_adhesion_from_pull_off(
     F: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLike, H: ArrayLike, k: ArrayLike
 ) -> Result:
-    """Work of separation at which a contact breaks under the normal force F: the inverse of pull_off().force.
+    """Work of separation at which a contact breaks under the normal force F: the inverse of the force of pull_off.
 
     dgamma = a**(-k - 3)*(2*H*a*a**k*h*n*gamma(k/2 + 1/2)*gamma(n/2 + 1) - abs(F)*k**2*gamma(k/2 + n/2 + 1/2)
     - abs(F)*k*n*gamma(k/2 + n/2 + 1/2) - 2*abs(F)*k*gamma(k/2 + n/2 + 1/2) - abs(F)*n*gamma(k/2 + n/2 + 1/2)

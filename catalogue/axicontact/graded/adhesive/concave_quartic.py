@@ -129,7 +129,7 @@ def pull_off(
 
 
 def work_of_adhesion_from_pull_off(F: ArrayLike, *, a: ArrayLike, h: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
-    """Work of separation at which a contact breaks under the normal force F: the inverse of pull_off().force.
+    """Work of separation at which a contact breaks under the normal force F: the inverse of the force of pull_off.
 
     dgamma = a**(-k - 3)*(64*H*a*a**k*h - abs(F)*k**4 - 10*abs(F)*k**3 - 32*abs(F)*k**2 - 38*abs(F)*k -
     15*abs(F))**2/(8*pi*H*(k + 1)**2*(k + 3)**2*(k + 5)**2)

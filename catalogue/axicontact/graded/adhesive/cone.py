@@ -457,7 +457,7 @@ def pull_off(control: str = "force", *, theta: ArrayLike, H: ArrayLike, k: Array
 
 
 def work_of_adhesion_from_pull_off(F: ArrayLike, *, theta: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
-    """Work of separation at which a contact breaks under the normal force F: the inverse of pull_off().force.
+    """Work of separation at which a contact breaks under the normal force F: the inverse of the force of pull_off.
 
     dgamma = abs(F)**2*(abs(F)*(k + 2)*(k + 3)*gamma(k/2 + 1)/(sqrt(pi)*H*tan(theta)*gamma((k + 1)/2)))**((-k
     - 3)/(k + 2))*(k + 2)**2/(2*pi*H)

@@ -123,7 +123,7 @@ def pull_off(control: str = "force", *, a: ArrayLike, H: ArrayLike, k: ArrayLike
 
 
 def work_of_adhesion_from_pull_off(F: ArrayLike, *, a: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
-    """Work of separation at which a contact breaks under the normal force F: the inverse of pull_off().force.
+    """Work of separation at which a contact breaks under the normal force F: the inverse of the force of pull_off.
 
     dgamma = a**(-k - 3)*abs(F)**2*(k + 1)**2/(8*pi*H)
 

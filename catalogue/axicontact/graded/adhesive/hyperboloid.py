@@ -485,7 +485,7 @@ def pull_off(
 def work_of_adhesion_from_pull_off(
     F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, H: ArrayLike, k: ArrayLike
 ) -> Result:
-    """Work of separation at which a contact breaks under the normal force F: the inverse of pull_off().force.
+    """Work of separation at which a contact breaks under the normal force F: the inverse of the force of pull_off.
 
     dgamma = a**(-k - 3)*(F_N + abs(F))**2*(k + 1)**2/(8*pi*H) at the radius a at which it is least, F_N the
     force without adhesion there

@@ -445,7 +445,7 @@ def pull_off(control: str = "force", *, R: ArrayLike, H: ArrayLike, k: ArrayLike
 
 
 def work_of_adhesion_from_pull_off(F: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
-    """Work of separation at which a contact breaks under the normal force F: the inverse of pull_off().force.
+    """Work of separation at which a contact breaks under the normal force F: the inverse of the force of pull_off.
 
     dgamma = abs(F)**2*(R*abs(F)*(k + 1)**2*(k + 3)/(4*H))**((-k - 3)/(k + 3))*(k + 1)**2/(2*pi*H)
 

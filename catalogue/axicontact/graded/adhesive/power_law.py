@@ -498,7 +498,7 @@ def pull_off(
 
 
 def work_of_adhesion_from_pull_off(F: ArrayLike, *, A: ArrayLike, n: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
-    """Work of separation at which a contact breaks under the normal force F: the inverse of pull_off().force.
+    """Work of separation at which a contact breaks under the normal force F: the inverse of the force of pull_off.
 
     dgamma = abs(F)**2*(abs(F)*(k + 1)*(k + 3)*(k + n + 1)*gamma((k + n + 1)/2)/(2*A*H*n*(k + 2*n -
     1)*gamma((k + 1)/2)*gamma(n/2 + 1)))**((-k - 3)/(k + n + 1))*(k + 1)**2*(k + n + 1)**2/(2*pi*H*(k + 2*n -

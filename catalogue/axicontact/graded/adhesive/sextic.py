@@ -446,7 +446,7 @@ def pull_off(control: str = "force", *, A: ArrayLike, H: ArrayLike, k: ArrayLike
 
 
 def work_of_adhesion_from_pull_off(F: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike) -> Result:
-    """Work of separation at which a contact breaks under the normal force F: the inverse of pull_off().force.
+    """Work of separation at which a contact breaks under the normal force F: the inverse of the force of pull_off.
 
     dgamma = abs(F)**2*(abs(F)*(k + 1)**2*(k + 3)**2*(k + 5)*(k + 7)/(576*A*H*(k + 11)))**((-k - 3)/(k +
     7))*(k + 1)**2*(k + 7)**2/(2*pi*H*(k + 11)**2)

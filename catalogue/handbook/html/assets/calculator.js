@@ -3,7 +3,7 @@
 
 // a number with a unit of each kind, and what of the SI it is
 const PREFIX = { G: 1e9, M: 1e6, k: 1e3, "": 1, c: 1e-2, m: 1e-3, "µ": 1e-6, u: 1e-6, n: 1e-9 };
-const SCALES = { m: "kmcµun", Pa: "GMk", N: "MkmµunG", "N/m": "GMkmµu" };
+const SCALES = { m: "kmcµun", Pa: "GMk", N: "MkmµunG", "N/m": "GMkmµu", s: "mµun", "m/s": "cmµun", "Pa s": "GMkm" };
 const LINE_LOADS = { "N/mm": 1e3, "J/m²": 1, "J/m^2": 1, "mJ/m²": 1e-3, "mJ/m^2": 1e-3 };
 const ANGLES = { rad: 1, deg: Math.PI / 180, "°": Math.PI / 180 };
 const SHOWN = ["G", "M", "k", "", "m", "µ", "n"];
@@ -59,7 +59,7 @@ const ASSUMED = {
   r: (values, formula) => (formula.place === "outside" ? 2 : 0.5) * values.a,
   x: (values, formula) => (formula.place === "outside" ? 2 : 0.5) * values.a,
   F_x: (values) => 0.5 * values.mu * values.F,
-  c: (values, formula, form) => form.givenBy("c", { F_x: ASSUMED.F_x(values), ...values }),
+  c: (values, formula, form) => form.givenBy("c", formula.medium, { F_x: ASSUMED.F_x(values), ...values }),
   G_star: (values) => (2 * values.E_star * (1 - values.nu)) / (2 - values.nu),
 };
 // of one elastic body under a rigid one
@@ -148,15 +148,17 @@ class Form {
       }
     }
     if (!sound) return null;
-    return this.completed(values);
+    return values;
   }
 
-  completed(values) {
+  // on every half-space the contact has its own depth, force and radius
+  completed(given, medium = 0) {
+    const values = { ...given };
     const wanted = new Set(this.data.state.map((one) => one.name));
     for (let more = true; more;) {
       more = false;
       for (const [row, formula] of Object.entries(this.data.formulas)) {
-        const open = formula.suffix && wanted.has(formula.gives) && !(formula.gives in values);
+        const open = formula.suffix && formula.medium === medium && wanted.has(formula.gives) && !(formula.gives in values);
         if (!open || !formula.needs.every((name) => name in values)) continue;
         values[formula.gives] = this.data.evaluate[row](values);
         more = true;
@@ -166,15 +168,17 @@ class Form {
   }
 
   // by the formula that gives a letter, where its arguments are known
-  givenBy(letter, values) {
-    const [row, formula] = Object.entries(this.data.formulas).find(([, one]) => one.gives === letter) ?? [];
+  givenBy(letter, medium, values) {
+    const [row, formula] = Object.entries(this.data.formulas).find(([, one]) => one.gives === letter && one.medium === medium) ?? [];
     return formula?.needs.every((name) => name in values) ? this.data.evaluate[row](values) : NaN;
   }
 
   calculate() {
-    const values = this.values = this.read();
-    for (const [row, formula] of Object.entries(this.data.formulas)) this.show(row, formula, values);
-    this.curves.replaceChildren(...(values ? this.drawn(values) : []));
+    const given = this.read();
+    const states = given && [0, 1].map((medium) => this.completed(given, medium));
+    this.values = states?.[0] ?? null;
+    for (const [row, formula] of Object.entries(this.data.formulas)) this.show(row, formula, states?.[formula.medium]);
+    this.curves.replaceChildren(...(states ? this.drawn(states[0]) : []));
   }
 
   show(row, formula, values) {
@@ -200,10 +204,10 @@ class Form {
 
   drawn(values) {
     const { formulas, evaluate, place, state } = this.data;
-    const ratios = Array.from({ length: 161 }, (_, count) => (count + 0.5) / 161);
+    const ratios = Array.from({ length: POINTS }, (_, count) => (count + 0.5) / POINTS);
     const found = [];
     for (const [row, formula] of Object.entries(formulas)) {
-      if (formula.suffix === "" || !formula.needs.includes(place) || !("a" in values)) continue;
+      if (formula.suffix === "" || formula.medium || !formula.needs.includes(place) || !("a" in values)) continue;
       const outside = formula.place === "outside";
       const places = ratios.map((ratio) => (outside ? values.a * (1 + 2 * ratio) : values.a * ratio));
       const points = places.map((x) => [x, evaluate[row]({ ...values, [place]: x })]);
@@ -220,7 +224,7 @@ class Form {
   }
 }
 
-const WIDTH = 300, HEIGHT = 180, EDGE = 8;
+const POINTS = 81, WIDTH = 300, HEIGHT = 180, EDGE = 8;
 
 function plot(name, all, [x, xUnit], [y, yUnit], mark) {
   const points = all.filter((point) => point.every(Number.isFinite));

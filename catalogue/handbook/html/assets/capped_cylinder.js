@@ -25,7 +25,10 @@ const math = {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
     return Array.from({ length: Math.max(Math.ceil((stop - start) / step), 0) }, (_, count) => start + step * count);
   },
-  zip: (x, y) => x.map((value, place) => [value, y[place]]),
+  zip: (x, y) => x.slice(0, y.length).map((value, place) => [value, y[place]]),
+  // named fields that are told by their places too
+  record: (fields) => Object.assign(Object.values(fields), fields),
+  replaced: (x, changes) => math.record({ ...Object.fromEntries(Object.entries(x).slice(x.length)), ...changes }),
   enumerate: (x, start = 0) => Array.from(x, (value, place) => [place + start, value]),
   repeated: (x, count) => math.range(count).flatMap(() => x),
   reversed: (x) => [...x].reverse(),
@@ -84,6 +87,63 @@ const math = {
     bits.setBigInt64(0, bits.getBigInt64(0) + (x > 0.0 === to > x ? 1n : -1n));
     return bits.getFloat64(0);
   },
+  halfway: (low, high) => {
+    const bits = new DataView(new ArrayBuffer(16));
+    bits.setFloat64(0, low);
+    bits.setFloat64(8, high);
+    const first = bits.getBigInt64(0);
+    bits.setBigInt64(0, first + (bits.getBigInt64(8) - first) / 2n);
+    return bits.getFloat64(0);
+  },
+  // radii around waves: decades, sixteen in each wave, decades
+  radii_of_waves: (length, reach) => {
+    const waves = Math.floor(math.clip(Number.isFinite(reach / length) ? reach / length : 4.0, 4.0, 4096.0));
+    const inner = [...math.range(15).map((place) => Math.pow(10.0, 10 * place - 150)), ...math.range(1, 16 * waves + 1).map((x) => x / 16.0)];
+    return [...inner, ...math.range(10).map((place) => (waves + 1.0) * Math.pow(10.0, 10 * place))].map((x) => x * length);
+  },
+  // what was found for the last arguments
+  kept: (of) => {
+    const known = new Map();
+    return (...given) => {
+      const key = given.join();
+      if (known.size > 99) known.clear();
+      if (!known.has(key)) known.set(key, of(...given));
+      return known.get(key);
+    };
+  },
+  // the branches on which a steepness is above a level, each end refined where the sign changes between two radii; what
+  // was sampled is that of a geometry, and keeps what was found in it
+  branches: (change, far) => (steepness, sampled, level) => {
+    const { radii, end } = sampled;
+    const steep = (sampled.steep ??= radii.map((a) => steepness(a)));
+    sampled.found ??= math.kept((level) => math.searched(change, far, steepness, radii, steep, end, level));
+    return sampled.found(level);
+  },
+  searched: (change, far, steepness, radii, steep, end, level) => {
+    const above = (a) => Math.log(steepness(a) / level);
+    const [first, last] = [[], []];
+    if (steep[0] >= level) first.push(radii[0]);
+    for (let place = 1; place < radii.length; place++) {
+      const [before, after] = [steep[place - 1], steep[place]];
+      const up = after >= level;
+      if (up !== before >= level && (up || radii[place - 1] < far)) {
+        const found = change(above, radii[place - 1], radii[place], Math.log(before / level), Math.log(after / level), up ? 1.0 : -1.0);
+        (up ? first : last).push(found);
+      }
+    }
+    const largest = math.nextafter(radii.at(-1), 0.0);
+    return { first: first.map((a) => Math.min(a, largest)), last: [...last, end].slice(0, first.length) };
+  },
+  lowest: ({ first }, load) => {
+    const loads = first.map(load);
+    const known = loads.filter((x) => x === x);
+    return known.length ? first[loads.indexOf(Math.min(...known))] : NaN;
+  },
+  springs: (pairs, under) => (left, low, high) => {
+    const first = left(low);
+    const terms = pairs.map(([node, weight]) => weight * left(low + (high - low) * node));
+    return (high - low) * (math.fsum(terms) + under * first);
+  },
   // nodes and weights on (0, 1) for an interval of a length, in panels beyond the last one
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
@@ -99,6 +159,19 @@ const math = {
   integral_by_panels: (integrand, stop, width, count) => {
     const panels = panelsOf(Math.max(stop / width, 1.0));
     return math.fsum(pairs(count, panels).map(([node, weight]) => weight * integrand(node * stop))) * stop;
+  },
+  both: (integrand, stop, width = 1.0, lengths = STRIPS) => {
+    if (stop !== stop) return [stop, stop];
+    const panels = panelsOf(Math.max(stop / width / lengths.at(-1)[0], 1.0));
+    const [first, second] = [[], []];
+    for (let start = 0; start < panels; start++) {
+      for (const [node, weight] of math.rule(lengths)(stop / width / panels)) {
+        const [x, y] = integrand(((start + node) / panels) * stop);
+        first.push((weight / panels) * x);
+        second.push((weight / panels) * y);
+      }
+    }
+    return [math.fsum(first) * stop, math.fsum(second) * stop];
   },
   integral_by_length: (...given) => math.integral_in_strip(...given),
   in_groups: (rule_of) => (slope, parameters, ...given) => {
@@ -158,6 +231,8 @@ const pairs = (count, panels) => {
   }
   return kept.get(key);
 };
+
+const HALVES = {8: [[0.019855071751231884, 0.05061426814518813], [0.10166676129318664, 0.11119051722668724], [0.2372337950418355, 0.15685332293894363], [0.4082826787521751, 0.181341891689181]], 16: [[0.005299532504175033, 0.013576229705877048], [0.02771248846338371, 0.031126761969323947], [0.06718439880608412, 0.04757925584124639], [0.12229779582249849, 0.06231448562776694], [0.19106187779867811, 0.07479799440828837], [0.2709916111713863, 0.08457825969750127], [0.35919822461037054, 0.09130170752246179], [0.4524937450811813, 0.09472530522753425]], 24: [[0.00240639000148932, 0.0061706148999936], [0.012635722014345251, 0.014265694314466832], [0.030862723998633622, 0.022138719408709904], [0.056792236497799485, 0.02964929245771839], [0.08999900701304854, 0.03667324070554015], [0.12993790421072282, 0.04309508076597664], [0.17595317403151223, 0.04880932605205694], [0.22728926430558022, 0.05372213505798282], [0.2831032461869774, 0.0577528340268628], [0.3424786601519183, 0.060835236463901696], [0.40444056626319186, 0.06291872817341415], [0.4679715535686972, 0.06396909767337608]], 32: [[0.0013680690752592183, 0.003509305004735048], [0.007194244227365833, 0.008137197365452835], [0.017618872206246784, 0.01269603265463103], [0.03254696203113015, 0.017136931456510716], [0.05183942211697394, 0.02141794901111334], [0.07531619313371501, 0.025499029631188087], [0.1027581020160288, 0.029342046739267772], [0.13390894062985517, 0.032911111388180925], [0.1684778665348924, 0.03617289705442425], [0.20614212137961885, 0.039096947893535156], [0.2465500455338853, 0.041655962113473374], [0.2893243619346823, 0.043826046502201906], [0.33406569885893617, 0.045586939347881945], [0.38035631887393145, 0.04692219954040228], [0.42776401920860174, 0.04781936003963743], [0.4758461671561308, 0.0482700442573639]], 64: [[0.0003474791321139303, 0.0008916403608482165], [0.0018299416140223604, 0.002073516630281234], [0.00449331426162784, 0.0032522289844891814], [0.008331873057687022, 0.0044233799131819735], [0.013336586105044517, 0.005584069730065564], [0.01949560017397314, 0.006731523948359321], [0.026794312570798593, 0.007863015238012359], [0.035215413934030215, 0.008975857887848672], [0.044738931460748595, 0.010067411576765104], [0.055342277002442944, 0.011135086904191627], [0.06700030092295359, 0.012176351284355437], [0.07968535187370981, 0.01318873485752733], [0.09336734243860122, 0.014169836307129742], [0.1080138205283293, 0.015117328536201239], [0.12359004636973406, 0.016028964177425775], [0.1400590749141946, 0.016902580918570803], [0.15738184347288336, 0.017736106628441193], [0.17551726437267132, 0.018527564270120023], [0.19442232241380336, 0.019275076589307813], [0.21405217689868297, 0.01997687056636017], [0.23436026799005272, 0.020631281621311764], [0.2552984271464735, 0.021236757561826795], [0.27681699137326793, 0.021791862264661725], [0.2988649210180042, 0.022295279081878283], [0.32138992083116596, 0.02274581396370907], [0.34433856400489454, 0.023142398290657208], [0.3676564188956163, 0.02348409140810501], [0.39128817812999644, 0.023770082857415154], [0.41517778978800357, 0.023999694298229155], [0.4392685903519397, 0.024172381117401477], [0.4635034391061005, 0.024287733720751714], [0.48782485366828776, 0.024345478504569862]], 128: [[8.755602643404277e-05, 0.00022469048014604518], [0.0004612700113120525, 0.0005229063396701744], [0.00113337568724299, 0.0008212515093345147], [0.0021036207325094065, 0.0011191442154813093], [0.003371443549893532, 0.0014163757357289956], [0.004936090754132808, 0.0017127630204551078], [0.006796628637706896, 0.002008127491869321], [0.008951945782140732, 0.0023022921283514775], [0.011400754268046306, 0.002595080916338165], [0.01414159062643171, 0.002886318771432849], [0.017172816784017365, 0.0031758315808535944], [0.020492621073150037, 0.003463446283449407], [0.024099019329367807, 0.0037489909628173643], [0.027989856084889908, 0.004032294945243029], [0.03216280586104181, 0.004313188899308375], [0.036615374560526076, 0.004591504935830437], [0.04134490095951973, 0.004867076707503403], [0.046348558299121594, 0.005139739507916079], [0.051623355975420906, 0.005409330369751538], [0.05716614132730139, 0.005675688162040208], [0.06297360152098411, 0.00593865368637014], [0.06904226553022577, 0.0061980697719754615], [0.07536850621101551, 0.006453781369633674], [0.08194854246954658, 0.0067056356443081664], [0.08877844152217808, 0.006953482066475993], [0.09585412124604317, 0.007197172502083423], [0.10317135261890335, 0.007436561301073657], [0.11072576224679402, 0.007671505384432572], [0.11851283497795263, 0.007901864329699674], [0.126527916601469, 0.008127500454892593], [0.1347662166290456, 0.008348278900794603], [0.1432228111582063, 0.00856406771155569], [0.15189264581524284, 0.008774737913558853], [0.16077053877614036, 0.008980163592504344], [0.16985118386367698, 0.00918022196866567], [0.17912915371884622, 0.009374793470272355], [0.18859890304470756, 0.009563761804975472], [0.1982547719207257, 0.009747014029353301], [0.20809098918561847, 0.00992444061641543], [0.21810167588669097, 0.010095935521065021], [0.2282808487935948, 0.010261396243480035], [0.23862242397441227, 0.010420723890375575], [0.24912022043192777, 0.010573823234110675], [0.259767963797914, 0.01072060276960423], [0.2705592900832239, 0.010860974769026038], [0.2814877494814479, 0.010994855334230245], [0.2925468102238625, 0.011122164446899882], [0.30372986248336625, 0.011242826016372484], [0.3150302223250705, 0.01135676792511823], [0.3264411357011823, 0.011463922071843423], [0.3379557824877933, 0.011564224412193513], [0.3495672805611614, 0.01165761499703138], [0.3612686899110478, 0.011744038008267956], [0.3730530167886528, 0.011823441792223808], [0.38491321788667, 0.011895778890501701], [0.3968422045489604, 0.011961006068351729], [0.4088328470073314, 0.012019084340512026], [0.4208779786428875, 0.012069978994509643], [0.4329704002694061, 0.012113659611407625], [0.4451028844361781, 0.012150100083985933], [0.45726817974774225, 0.012179278632345313], [0.4694590151979302, 0.01220117781692479], [0.48166810451563324, 0.012215784548925022], [0.4938881505196921, 0.012223090098131259]]};
 
 const _energy_of_capped_cylinder = (d, a, R, E_star) => {
   let rho, whole;
@@ -471,6 +546,722 @@ const depth_from_force = (F, a, R, E_star) => {
   return ((F >= 0.0) ? _depth_from_force(F, a, R, E_star) : NaN);
 };
 
+const _gamma = (x) => {
+  return math.vectorize(math.gamma)(x);
+};
+
+const FAR = 40.0;
+
+const _near = (x, e, steps) => {
+  let before, i, lost, part, total;
+  [total, lost] = [0.0, 0.0];
+  for (i of math.range((steps - 1), (-1), (-1))) {
+    part = (Math.log1p((e / (x + i))) - lost);
+    [before, total] = [total, (total + part)];
+    lost = ((total - before) - part);
+  }
+  return total;
+};
+
+const _to_the_last_digit = (terms) => {
+  let before, lost, part, term, total;
+  [total, lost] = [0.0, 0.0];
+  for (term of terms) {
+    part = (term - lost);
+    [before, total] = [total, (total + part)];
+    lost = ((total - before) - part);
+  }
+  return total;
+};
+
+const series = (e) => {
+  let first, second, third;
+  first = (((-e) * ((e * e) - 1.0)) / 24.0);
+  second = (((((e * (e - 1.0)) * (e - 2.0)) * (e - 3.0)) * (e + 1.0)) / 5760.0);
+  third = ((((second * (e - 4.0)) * (e - 5.0)) / (-504.0)) * (((35.0 * Math.pow((e + 1.0), 2)) + (42.0 * (e + 1.0))) + 16.0));
+  return [first, (second * ((5.0 * e) + 7.0)), third];
+};
+
+const _rising = (x, e) => {
+  let first, near, second, shifts, steps, third, w;
+  [x, e] = [math.asarray(x), math.asarray(e)];
+  steps = Math.ceil(math.maximum((FAR - x), 0.0));
+  if ((math.ndim((x + e)) === 0)) {
+    near = _near(Number(x), Number(e), Math.trunc(steps));
+  } else {
+    shifts = math.reversed(math.range(Math.trunc(math.maximum(steps))));
+    near = _to_the_last_digit([...shifts].map((i) => math.where((i < steps), Math.log1p((e / (x + i))), 0.0)));
+  }
+  w = ((x + steps) + ((e - 1.0) / 2.0));
+  [first, second, third] = series(e);
+  return ((Math.pow(w, e) * (1.0 + ((first + ((second + (third / (w * w))) / (w * w))) / (w * w)))) * Math.exp((-near)));
+};
+
+const power_factor = math.kept((n, k) => {
+  let half;
+  half = ((1.0 + k) / 2.0);
+  return (((((1.0 + k) + n) / (1.0 + k)) * _gamma((1.0 + half))) / _rising((1.0 + (n / 2.0)), half));
+});
+
+const power_depth = (a, n, k) => {
+  return (power_factor(n, k) * Math.pow(a, n));
+};
+
+const _contact = (d, a, R, k) => {
+  let free, rho;
+  free = (power_depth(a, 2.0, k) / (2 * R));
+  rho = (a * Math.pow(math.minimum((d / free), 1.0), (1.0 / 2.0)));
+  return [rho, math.maximum((d - free), 0.0)];
+};
+
+const raised = (x, k) => {
+  if ((x > 0.0)) {
+    return (x * Math.pow(x, k));
+  }
+  return 0.0;
+};
+
+const power_force = (a, n, k) => {
+  return (((power_factor(n, k) * (n / (n + (1.0 + k)))) * Math.pow(a, n)) * raised(a, k));
+};
+
+const punch_stiffness = (a, H, k) => {
+  return (((2.0 * H) / (1.0 + k)) * ((a > 0.0) ? (a * Math.pow(a, k)) : 0.0));
+};
+
+const _force_2 = (d, a, R, H, k) => {
+  let cap, rest, rho;
+  [rho, rest] = _contact(d, a, R, k);
+  cap = ((((2.0 * H) / (1.0 + k)) * power_force(rho, 2.0, k)) / (2 * R));
+  return (cap + (rest * punch_stiffness(rho, H, k)));
+};
+
+const force_of_capped_cylinder = (d, a, R, H, k) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < R && R < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return ((d >= 0.0) ? _force_2(d, a, R, H, k) : NaN);
+};
+
+const punch_pressure = (r, a, H, k) => {
+  let v4, v9;
+  if ((r < a)) {
+    v4 = (a - r);
+    v9 = math.sqrt(((((v4 > 0.0) || (v4 !== v4)) ? v4 : 0.0) * (a + r)));
+    return (((H / 3.141592653589793) * Math.pow(v9, k)) / v9);
+  }
+  if ((r > a)) {
+    return 0.0;
+  }
+  return Infinity;
+};
+
+const _EVEN = 16;
+
+const _even_growth = (r, a, n, k) => {
+  let half, j, share, square, total;
+  [half, square] = [((1.0 + k) / 2.0), Math.pow((r / a), 2)];
+  total = (0.5 / half);
+  for (j of math.range(1, Math.floor(n / 2))) {
+    total = ((0.5 + ((j * square) * total)) / (j + half));
+  }
+  share = (((a - r) / a) * ((a + r) / a));
+  return ((Math.sqrt(share) * Math.pow(share, (k / 2.0))) * total);
+};
+
+const axis_power = (n, k) => {
+  if ((n < 0.5)) {
+    return ((k - 1.0) + n);
+  }
+  return ((n - 1.0) + k);
+};
+
+const NODES = 64;
+
+const weighted = (smooth, stop, power, count = NODES, above = null) => {
+  let end, pairs;
+  if ((power >= (-0.25))) {
+    return math.fsum([...math.products(power, count, false)].map(([node, weight]) => (weight * smooth((node * stop)))));
+  }
+  above = ((above == null) ? (1.0 + power) : above);
+  end = smooth(0.0);
+  pairs = math.products(above, count, true);
+  return ((end / above) + math.fsum([...pairs].map(([node, weight]) => (weight * (smooth((node * stop)) - end)))));
+};
+
+const RULE_0 = math.rule([[Infinity, 64]]);
+
+const _steep = (rest, near, m, half) => {
+  let node, v11, v12, v14, v15, v25, v26, v6, v7, weight;
+  v6 = (Number.isFinite(rest) ? rest : Infinity);
+  v7 = Math.abs(m);
+  v11 = (42.0 / (((v7 > 20.0) || (v7 !== v7)) ? v7 : 20.0));
+  v12 = (((v6 < v11) || (v6 !== v6)) ? v6 : v11);
+  v15 = (-m);
+  v26 = [];
+  for ([node, weight] of RULE_0((v12 / 1.0))) {
+    v14 = (node * v12);
+    v25 = (Math.exp((v15 * v14)) * Math.pow((-Math.expm1(((-2.0) * (near + (v6 - v14))))), half));
+    v26.push((weight * v25));
+  }
+  v26 = (math.fsum(v26) * v12);
+  return v26;
+};
+
+const _tail = (rest, near, m, half, far) => {
+  let v10, v107, v109, v11, v110, v111, v118, v12, v133, v135, v136, v137, v144, v158, v160, v161, v162, v169, v184, v186, v187, v188, v19, v195, v209, v21, v211, v212, v213, v220, v235, v237, v238, v239, v246, v260, v262, v263, v264, v271, v286, v288, v289, v290, v297, v31, v311, v313, v314, v315, v322, v33, v337, v339, v34, v340, v341, v348, v35, v362, v364, v365, v366, v373, v388, v390, v391, v392, v399, v413, v415, v416, v417, v42, v424, v439, v441, v442, v443, v450, v464, v466, v467, v468, v475, v490, v492, v493, v494, v501, v512, v515, v517, v518, v519, v526, v543, v544, v545, v552, v56, v58, v59, v60, v67, v7, v82, v84, v85, v86, v93;
+  v7 = (Number.isFinite(rest) ? rest : 0.0);
+  v10 = (m - 0.0);
+  v11 = (v10 === 0.0);
+  if (v11) {
+    v19 = v7;
+  } else {
+    v12 = Math.abs(v10);
+    v19 = ((-Math.expm1(((-v12) * v7))) / (v11 ? 1.0 : v12));
+  }
+  v21 = (near + v7);
+  v31 = (0.0 - half);
+  v33 = (m - 2.0);
+  v34 = (v33 === 0.0);
+  if (v34) {
+    v42 = v7;
+  } else {
+    v35 = Math.abs(v33);
+    v42 = ((-Math.expm1(((-v35) * v7))) / (v34 ? 1.0 : v35));
+  }
+  v56 = ((v31 * (1.0 - half)) / 2.0);
+  v58 = (m - 4.0);
+  v59 = (v58 === 0.0);
+  if (v59) {
+    v67 = v7;
+  } else {
+    v60 = Math.abs(v58);
+    v67 = ((-Math.expm1(((-v60) * v7))) / (v59 ? 1.0 : v60));
+  }
+  v82 = ((v56 * (2.0 - half)) / 3.0);
+  v84 = (m - 6.0);
+  v85 = (v84 === 0.0);
+  if (v85) {
+    v93 = v7;
+  } else {
+    v86 = Math.abs(v84);
+    v93 = ((-Math.expm1(((-v86) * v7))) / (v85 ? 1.0 : v86));
+  }
+  v107 = ((v82 * (3.0 - half)) / 4.0);
+  v109 = (m - 8.0);
+  v110 = (v109 === 0.0);
+  if (v110) {
+    v118 = v7;
+  } else {
+    v111 = Math.abs(v109);
+    v118 = ((-Math.expm1(((-v111) * v7))) / (v110 ? 1.0 : v111));
+  }
+  v133 = ((v107 * (4.0 - half)) / 5.0);
+  v135 = (m - 10.0);
+  v136 = (v135 === 0.0);
+  if (v136) {
+    v144 = v7;
+  } else {
+    v137 = Math.abs(v135);
+    v144 = ((-Math.expm1(((-v137) * v7))) / (v136 ? 1.0 : v137));
+  }
+  v158 = ((v133 * (5.0 - half)) / 6.0);
+  v160 = (m - 12.0);
+  v161 = (v160 === 0.0);
+  if (v161) {
+    v169 = v7;
+  } else {
+    v162 = Math.abs(v160);
+    v169 = ((-Math.expm1(((-v162) * v7))) / (v161 ? 1.0 : v162));
+  }
+  v184 = ((v158 * (6.0 - half)) / 7.0);
+  v186 = (m - 14.0);
+  v187 = (v186 === 0.0);
+  if (v187) {
+    v195 = v7;
+  } else {
+    v188 = Math.abs(v186);
+    v195 = ((-Math.expm1(((-v188) * v7))) / (v187 ? 1.0 : v188));
+  }
+  v209 = ((v184 * (7.0 - half)) / 8.0);
+  v211 = (m - 16.0);
+  v212 = (v211 === 0.0);
+  if (v212) {
+    v220 = v7;
+  } else {
+    v213 = Math.abs(v211);
+    v220 = ((-Math.expm1(((-v213) * v7))) / (v212 ? 1.0 : v213));
+  }
+  v235 = ((v209 * (8.0 - half)) / 9.0);
+  v237 = (m - 18.0);
+  v238 = (v237 === 0.0);
+  if (v238) {
+    v246 = v7;
+  } else {
+    v239 = Math.abs(v237);
+    v246 = ((-Math.expm1(((-v239) * v7))) / (v238 ? 1.0 : v239));
+  }
+  v260 = ((v235 * (9.0 - half)) / 10.0);
+  v262 = (m - 20.0);
+  v263 = (v262 === 0.0);
+  if (v263) {
+    v271 = v7;
+  } else {
+    v264 = Math.abs(v262);
+    v271 = ((-Math.expm1(((-v264) * v7))) / (v263 ? 1.0 : v264));
+  }
+  v286 = ((v260 * (10.0 - half)) / 11.0);
+  v288 = (m - 22.0);
+  v289 = (v288 === 0.0);
+  if (v289) {
+    v297 = v7;
+  } else {
+    v290 = Math.abs(v288);
+    v297 = ((-Math.expm1(((-v290) * v7))) / (v289 ? 1.0 : v290));
+  }
+  v311 = ((v286 * (11.0 - half)) / 12.0);
+  v313 = (m - 24.0);
+  v314 = (v313 === 0.0);
+  if (v314) {
+    v322 = v7;
+  } else {
+    v315 = Math.abs(v313);
+    v322 = ((-Math.expm1(((-v315) * v7))) / (v314 ? 1.0 : v315));
+  }
+  v337 = ((v311 * (12.0 - half)) / 13.0);
+  v339 = (m - 26.0);
+  v340 = (v339 === 0.0);
+  if (v340) {
+    v348 = v7;
+  } else {
+    v341 = Math.abs(v339);
+    v348 = ((-Math.expm1(((-v341) * v7))) / (v340 ? 1.0 : v341));
+  }
+  v362 = ((v337 * (13.0 - half)) / 14.0);
+  v364 = (m - 28.0);
+  v365 = (v364 === 0.0);
+  if (v365) {
+    v373 = v7;
+  } else {
+    v366 = Math.abs(v364);
+    v373 = ((-Math.expm1(((-v366) * v7))) / (v365 ? 1.0 : v366));
+  }
+  v388 = ((v362 * (14.0 - half)) / 15.0);
+  v390 = (m - 30.0);
+  v391 = (v390 === 0.0);
+  if (v391) {
+    v399 = v7;
+  } else {
+    v392 = Math.abs(v390);
+    v399 = ((-Math.expm1(((-v392) * v7))) / (v391 ? 1.0 : v392));
+  }
+  v413 = ((v388 * (15.0 - half)) / 16.0);
+  v415 = (m - 32.0);
+  v416 = (v415 === 0.0);
+  if (v416) {
+    v424 = v7;
+  } else {
+    v417 = Math.abs(v415);
+    v424 = ((-Math.expm1(((-v417) * v7))) / (v416 ? 1.0 : v417));
+  }
+  v439 = ((v413 * (16.0 - half)) / 17.0);
+  v441 = (m - 34.0);
+  v442 = (v441 === 0.0);
+  if (v442) {
+    v450 = v7;
+  } else {
+    v443 = Math.abs(v441);
+    v450 = ((-Math.expm1(((-v443) * v7))) / (v442 ? 1.0 : v443));
+  }
+  v464 = ((v439 * (17.0 - half)) / 18.0);
+  v466 = (m - 36.0);
+  v467 = (v466 === 0.0);
+  if (v467) {
+    v475 = v7;
+  } else {
+    v468 = Math.abs(v466);
+    v475 = ((-Math.expm1(((-v468) * v7))) / (v467 ? 1.0 : v468));
+  }
+  v490 = ((v464 * (18.0 - half)) / 19.0);
+  v492 = (m - 38.0);
+  v493 = (v492 === 0.0);
+  if (v493) {
+    v501 = v7;
+  } else {
+    v494 = Math.abs(v492);
+    v501 = ((-Math.expm1(((-v494) * v7))) / (v493 ? 1.0 : v494));
+  }
+  v512 = ((((((((((((((((((((0.0 + (v19 * ((v10 > 0.0) ? Math.exp(((-0.0) * v21)) : (Math.exp(((-0.0) * near)) * far)))) + ((v31 * v42) * ((v33 > 0.0) ? Math.exp(((-2.0) * v21)) : (Math.exp(((-2.0) * near)) * far)))) + ((v56 * v67) * ((v58 > 0.0) ? Math.exp(((-4.0) * v21)) : (Math.exp(((-4.0) * near)) * far)))) + ((v82 * v93) * ((v84 > 0.0) ? Math.exp(((-6.0) * v21)) : (Math.exp(((-6.0) * near)) * far)))) + ((v107 * v118) * ((v109 > 0.0) ? Math.exp(((-8.0) * v21)) : (Math.exp(((-8.0) * near)) * far)))) + ((v133 * v144) * ((v135 > 0.0) ? Math.exp(((-10.0) * v21)) : (Math.exp(((-10.0) * near)) * far)))) + ((v158 * v169) * ((v160 > 0.0) ? Math.exp(((-12.0) * v21)) : (Math.exp(((-12.0) * near)) * far)))) + ((v184 * v195) * ((v186 > 0.0) ? Math.exp(((-14.0) * v21)) : (Math.exp(((-14.0) * near)) * far)))) + ((v209 * v220) * ((v211 > 0.0) ? Math.exp(((-16.0) * v21)) : (Math.exp(((-16.0) * near)) * far)))) + ((v235 * v246) * ((v237 > 0.0) ? Math.exp(((-18.0) * v21)) : (Math.exp(((-18.0) * near)) * far)))) + ((v260 * v271) * ((v262 > 0.0) ? Math.exp(((-20.0) * v21)) : (Math.exp(((-20.0) * near)) * far)))) + ((v286 * v297) * ((v288 > 0.0) ? Math.exp(((-22.0) * v21)) : (Math.exp(((-22.0) * near)) * far)))) + ((v311 * v322) * ((v313 > 0.0) ? Math.exp(((-24.0) * v21)) : (Math.exp(((-24.0) * near)) * far)))) + ((v337 * v348) * ((v339 > 0.0) ? Math.exp(((-26.0) * v21)) : (Math.exp(((-26.0) * near)) * far)))) + ((v362 * v373) * ((v364 > 0.0) ? Math.exp(((-28.0) * v21)) : (Math.exp(((-28.0) * near)) * far)))) + ((v388 * v399) * ((v390 > 0.0) ? Math.exp(((-30.0) * v21)) : (Math.exp(((-30.0) * near)) * far)))) + ((v413 * v424) * ((v415 > 0.0) ? Math.exp(((-32.0) * v21)) : (Math.exp(((-32.0) * near)) * far)))) + ((v439 * v450) * ((v441 > 0.0) ? Math.exp(((-34.0) * v21)) : (Math.exp(((-34.0) * near)) * far)))) + ((v464 * v475) * ((v466 > 0.0) ? Math.exp(((-36.0) * v21)) : (Math.exp(((-36.0) * near)) * far)))) + ((v490 * v501) * ((v492 > 0.0) ? Math.exp(((-38.0) * v21)) : (Math.exp(((-38.0) * near)) * far))));
+  v515 = ((v490 * (19.0 - half)) / 20.0);
+  v517 = (m - 40.0);
+  v518 = (v517 === 0.0);
+  if (v518) {
+    v526 = v7;
+  } else {
+    v519 = Math.abs(v517);
+    v526 = ((-Math.expm1(((-v519) * v7))) / (v518 ? 1.0 : v519));
+  }
+  v543 = (m - 42.0);
+  v544 = (v543 === 0.0);
+  if (v544) {
+    v552 = v7;
+  } else {
+    v545 = Math.abs(v543);
+    v552 = ((-Math.expm1(((-v545) * v7))) / (v544 ? 1.0 : v545));
+  }
+  return ((v512 + ((v515 * v526) * ((v517 > 0.0) ? Math.exp(((-40.0) * v21)) : (Math.exp(((-40.0) * near)) * far)))) + ((((v515 * (20.0 - half)) / 21.0) * v552) * ((v543 > 0.0) ? Math.exp(((-42.0) * v21)) : (Math.exp(((-42.0) * near)) * far))));
+};
+
+const power_growth = (r, a, n, k) => {
+  let above, far, first, half, length, m, near, place, rest, smooth, total;
+  if (((typeof n === "number") && ((n % 2.0) === 0.0) && (n <= _EVEN))) {
+    return _even_growth(r, a, Math.trunc(n), k);
+  }
+  m = axis_power(n, k);
+  length = Math.log1p(((a - r) / r));
+  length = (Number.isFinite(length) ? length : (Math.log(a) - Math.log(r)));
+  near = math.minimum(math.minimum(length, 1.0), (20.0 / math.maximum(Math.abs(m), 1e-300)));
+  [half, above] = [((k - 1.0) / 2.0), ((k + 1.0) / 2.0)];
+  smooth = (x) => {
+    let shrink;
+    shrink = ((x > 0.0) ? ((-Math.expm1(((-2.0) * x))) / ((x > 0.0) ? x : 1.0)) : 2.0);
+    return (Math.pow(shrink, half) * Math.exp(((-m) * (near - x))));
+  };
+  rest = (length - near);
+  place = math.minimum(((r / a) * Math.exp(near)), 1.0);
+  far = ((Math.pow(place, n) / place) * Math.pow(place, k));
+  first = (((rest > 0.0) ? far : 1.0) * Math.pow(near, above));
+  first = (first * weighted(smooth, near, half, undefined, above));
+  total = (first + ((Math.abs(m) > 20.0) ? _steep(rest, near, m, half) : _tail(rest, near, m, half, far)));
+  return ((r > 0.0) ? total : ((m > 0.0) ? (1.0 / ((m > 0.0) ? m : 1.0)) : Infinity));
+};
+
+const power_pressure = (r, a, n, k) => {
+  return (((power_factor(n, k) * n) * ((Math.pow(a, n) / a) * Math.pow(a, k))) * power_growth(r, a, n, k));
+};
+
+const _pressure_2 = (r, d, a, R, H, k) => {
+  let cap, edge, rest, rho;
+  [rho, rest] = _contact(d, a, R, k);
+  edge = ((rest > 0.0) ? (rest * punch_pressure(r, rho, H, k)) : 0.0);
+  cap = (((H / Math.PI) * power_pressure(math.minimum(r, rho), rho, 2.0, k)) / (2 * R));
+  return ((r <= rho) ? (edge + ((r < rho) ? cap : 0.0)) : 0.0);
+};
+
+const pressure_of_capped_cylinder = (r, d, a, R, H, k) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < R && R < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (d >= 0.0)) ? ((r < Infinity) ? _pressure_2(r, d, a, R, H, k) : 0.0) : NaN);
+};
+
+const power_excess = math.kept((n, k) => {
+  let change, e, first, half, high, log, low, m, second, third, u, v, x;
+  [x, e, half] = [(n / 2.0), ((1.0 - k) / 2.0), ((1.0 + k) / 2.0)];
+  log = math.zeros_like((x * e));
+  for (m of math.range(Math.trunc(FAR))) {
+    log = (log + Math.log1p(((x / ((m + 1.0) + x)) * (e / (m + half)))));
+  }
+  [low, high] = [(FAR + (half / 2.0)), ((FAR + (half / 2.0)) + x)];
+  [u, v] = [(1.0 / (low * low)), (1.0 / (high * high))];
+  [first, second, third] = series(e);
+  change = (((((-x) * (low + high)) * u) * v) * ((first + (second * (u + v))) + (third * (((u * u) + (u * v)) + (v * v)))));
+  log = ((log + (e * Math.log1p((x / low)))) + Math.log1p((change / ((1.0 + (first * u)) + ((second * u) * u)))));
+  return math.where((log < 0.5), Math.expm1(log), (power_factor(n, k) - 1.0));
+});
+
+const difference_root = (x, y) => {
+  let v2;
+  v2 = (x - y);
+  return math.sqrt(((((v2 > 0.0) || (v2 !== v2)) ? v2 : 0.0) * (x + y)));
+};
+
+const STEEP = 16.0;
+
+const EDGE = [[3.0, 32], [11.0, 64]];
+
+const NODES_of_displacement = 64;
+
+const from_edge = (shape, a, q, c, stop, k, steep = false) => {
+  let count, first, half, length, longest, ratio, second, smooth;
+  ratio = (c / q);
+  smooth = (v, sinh) => {
+    let z;
+    z = (c * sinh);
+    return ((shape(difference_root(a, z), z) * Math.cosh(v)) / (1.0 + Math.pow((ratio * sinh), 2)));
+  };
+  first = (v) => {
+    let sinh;
+    sinh = Math.sinh(v);
+    return (smooth(v, sinh) * Math.pow(((v > 0.0) ? (sinh / ((v > 0.0) ? v : 1.0)) : 1.0), k));
+  };
+  second = (v) => {
+    let sinh;
+    sinh = Math.sinh((half + v));
+    return (smooth((half + v), sinh) * Math.pow(sinh, k));
+  };
+  longest = (steep ? Infinity : Number(math.maximum((Number.isFinite(stop) ? stop : 0.0))));
+  for ([length, count] of EDGE) {
+    if ((longest <= length)) {
+      return ((raised(ratio, k) * raised(stop, k)) * weighted(first, stop, k, count));
+    }
+  }
+  half = (stop / 2.0);
+  return (raised(ratio, k) * ((raised(half, k) * weighted(first, half, k)) + math.integral(second, half, NODES_of_displacement)));
+};
+
+const _from_edge_of_power = (shape, q, a, n, k) => {
+  return from_edge(shape, a, q, q, Math.asinh(((a / q) / 2.0)), k, Boolean((n > STEEP)));
+};
+
+const _SMOOTHING = 8;
+
+const kernel = (sine, cosine, ratio, k) => {
+  let v9;
+  v9 = (ratio * sine);
+  return (((ratio * Math.pow(ratio, k)) * (Math.pow(sine, k) * cosine)) / (1.0 + (v9 * v9)));
+};
+
+const SPLIT = 0.5235987755982988;
+
+const _to_axis = (q) => {
+  return math.full(math.repeated([1], math.ndim(q)), ((Math.PI / 2.0) - SPLIT));
+};
+
+const punch_scale = (k) => {
+  return (0.6366197723675814 * Math.sin((1.5707963267948966 * (1.0 - Math.abs(k)))));
+};
+
+const _beside_power = (r, a, n, k, excess) => {
+  let near, q, reach, smooth;
+  q = difference_root(r, a);
+  near = _from_edge_of_power(((s, z) => (excess - Math.expm1(((n / 2.0) * Math.log1p((-Math.pow((z / a), 2))))))), q, a, n, k);
+  smooth = (u) => {
+    let over, x;
+    x = (reach * Math.pow(u, _SMOOTHING));
+    over = ((((excess - Math.expm1((n * Math.log(Math.sin(x))))) * _SMOOTHING) * reach) * Math.pow(u, (_SMOOTHING - 1)));
+    return (over * kernel(Math.cos(x), Math.sin(x), (a / q), k));
+  };
+  reach = _to_axis(q);
+  return (punch_scale(k) * (near + math.integral(smooth, math.ones_like(reach), NODES_of_displacement)));
+};
+
+const power_displacement = (r, a, n, k) => {
+  let excess, over, ratio;
+  ratio = ((r < (0.5 * a)) ? Math.log((r / a)) : ((r < a) ? Math.log1p(((r - a) / a)) : 0.0));
+  excess = power_excess(n, k);
+  over = ((r > a) ? _beside_power(r, a, n, k, excess) : (excess - Math.expm1((n * ratio))));
+  return ((a > 0.0) ? (Math.pow(a, n) * over) : 0.0);
+};
+
+const punch_share = (r, a, k) => {
+  let q, stop;
+  q = difference_root(r, a);
+  stop = Math.asinh((a / q));
+  return (punch_scale(k) * from_edge(((s, z) => math.ones_like(z)), a, q, q, stop, k));
+};
+
+const punch_displacement = (r, a, k) => {
+  return ((r > a) ? punch_share(r, a, k) : 1.0);
+};
+
+const _displacement_2 = (r, d, a, R, k) => {
+  let cap, rest, rho;
+  [rho, rest] = _contact(d, a, R, k);
+  cap = (power_displacement(r, rho, 2.0, k) / (2 * R));
+  return (cap + (rest * punch_displacement(r, rho, k)));
+};
+
+const displacement_of_capped_cylinder = (r, d, a, R, k) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < R && R < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (d >= 0.0)) ? ((r < Infinity) ? _displacement_2(r, d, a, R, k) : 0.0) : NaN);
+};
+
+const _stiffness_2 = (d, a, R, H, k) => {
+  let rest, rho;
+  [rho, rest] = _contact(d, a, R, k);
+  return punch_stiffness(rho, H, k);
+};
+
+const stiffness_of_capped_cylinder = (d, a, R, H, k) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < R && R < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return ((d >= 0.0) ? _stiffness_2(d, a, R, H, k) : NaN);
+};
+
+const _depth_from_force_2 = (F, a, R, H, k) => {
+  let before, free, full;
+  full = ((((2.0 * H) / (1.0 + k)) * power_force(a, 2.0, k)) / (2 * R));
+  free = (power_depth(a, 2.0, k) / (2 * R));
+  before = (free * Math.pow((F / full), (2.0 / ((2.0 + 1.0) + k))));
+  return ((full > F) ? before : (free + ((F - full) / punch_stiffness(a, H, k))));
+};
+
+const depth_from_force_of_capped_cylinder = (F, a, R, H, k) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < R && R < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return ((F >= 0.0) ? _depth_from_force_2(F, a, R, H, k) : NaN);
+};
+
+const relaxation_maxwell = (t, E, tau) => {
+  return (E * Math.exp(((-t) / tau)));
+};
+
+const _step_force_maxwell_of_capped_cylinder = (t, d, a, R, E, tau) => {
+  return (relaxation_maxwell(t, E, tau) * _force(d, a, R, 1.0));
+};
+
+const _step_force_maxwell = (t, d, a, R, E, tau) => {
+  let v10, v11, v14, v16, v17, v18, v20, v21, v30, v32, v33, v44, v45, v51;
+  if (((t > 1e-30) && (t < 1e+30) && (d > 1e-30) && (d < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (E > 1e-30) && (E < 1e+30) && (tau > 1e-30) && (tau < 1e+30))) {
+    v10 = (R * d);
+    v11 = (a * a);
+    v14 = (134217729.0 * R);
+    v16 = (v14 - (v14 - R));
+    v17 = (R - v16);
+    v18 = (134217729.0 * d);
+    v20 = (v18 - (v18 - d));
+    v21 = (d - v20);
+    v30 = (134217729.0 * a);
+    v32 = (v30 - (v30 - a));
+    v33 = (a - v32);
+    v44 = (((v10 - v11) + ((((((v16 * v20) - v10) + (v16 * v21)) + (v17 * v20)) + (v17 * v21)) - (((((v32 * v32) - v11) + (v32 * v33)) + (v33 * v32)) + (v33 * v33)))) / R);
+    v45 = Math.sqrt(v10);
+    v51 = ((a * a) / R);
+    return ((E * Math.exp(((-t) / tau))) * (((1.3333333333333333 * (((v45 < a) || (v45 !== v45)) ? v45 : a)) * (((d < v51) || (d !== d)) ? d : v51)) + ((2.0 * a) * (((v44 > 0.0) || (v44 !== v44)) ? v44 : 0.0))));
+  }
+  return _step_force_maxwell_of_capped_cylinder(t, d, a, R, E, tau);
+};
+
+const step_force_maxwell = (t, d, a, R, E, tau) => {
+  if ((!((0.0 <= d && d < Infinity) && (0.0 < a && a < Infinity) && (0.0 < R && R < Infinity) && (0.0 < E && E < Infinity) && (0.0 < tau && tau < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_force_maxwell(t, d, a, R, E, tau) : NaN);
+};
+
+const relaxation_kelvin_voigt = (t, E, eta) => {
+  if ((t > 0.0)) {
+    return E;
+  }
+  return Infinity;
+};
+
+const _step_force_kelvin_voigt_of_capped_cylinder = (t, d, a, R, E, eta) => {
+  return (relaxation_kelvin_voigt(t, E, eta) * _force(d, a, R, 1.0));
+};
+
+const _step_force_kelvin_voigt = (t, d, a, R, E, eta) => {
+  let v10, v11, v14, v16, v17, v18, v20, v21, v30, v32, v33, v44, v45, v51;
+  if (((t > 1e-30) && (t < 1e+30) && (d > 1e-30) && (d < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (E > 1e-30) && (E < 1e+30) && (eta > 1e-30) && (eta < 1e+30))) {
+    v10 = (R * d);
+    v11 = (a * a);
+    v14 = (134217729.0 * R);
+    v16 = (v14 - (v14 - R));
+    v17 = (R - v16);
+    v18 = (134217729.0 * d);
+    v20 = (v18 - (v18 - d));
+    v21 = (d - v20);
+    v30 = (134217729.0 * a);
+    v32 = (v30 - (v30 - a));
+    v33 = (a - v32);
+    v44 = (((v10 - v11) + ((((((v16 * v20) - v10) + (v16 * v21)) + (v17 * v20)) + (v17 * v21)) - (((((v32 * v32) - v11) + (v32 * v33)) + (v33 * v32)) + (v33 * v33)))) / R);
+    v45 = Math.sqrt(v10);
+    v51 = ((a * a) / R);
+    return (((t > 0.0) ? E : Infinity) * (((1.3333333333333333 * (((v45 < a) || (v45 !== v45)) ? v45 : a)) * (((d < v51) || (d !== d)) ? d : v51)) + ((2.0 * a) * (((v44 > 0.0) || (v44 !== v44)) ? v44 : 0.0))));
+  }
+  return _step_force_kelvin_voigt_of_capped_cylinder(t, d, a, R, E, eta);
+};
+
+const step_force_kelvin_voigt = (t, d, a, R, E, eta) => {
+  if ((!((0.0 <= d && d < Infinity) && (0.0 < a && a < Infinity) && (0.0 < R && R < Infinity) && (0.0 < E && E < Infinity) && (0.0 < eta && eta < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_force_kelvin_voigt(t, d, a, R, E, eta) : NaN);
+};
+
+const relaxation_standard_solid = (t, E_inf, E_1, tau) => {
+  return (E_inf + (E_1 * Math.exp(((-t) / tau))));
+};
+
+const _step_force_standard_solid_of_capped_cylinder = (t, d, a, R, E_inf, E_1, tau) => {
+  return (relaxation_standard_solid(t, E_inf, E_1, tau) * _force(d, a, R, 1.0));
+};
+
+const _step_force_standard_solid = (t, d, a, R, E_inf, E_1, tau) => {
+  let v12, v13, v16, v18, v19, v20, v22, v23, v32, v34, v35, v46, v47, v53;
+  if (((t > 1e-30) && (t < 1e+30) && (d > 1e-30) && (d < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (E_inf > 1e-30) && (E_inf < 1e+30) && (E_1 > 1e-30) && (E_1 < 1e+30) && (tau > 1e-30) && (tau < 1e+30))) {
+    v12 = (R * d);
+    v13 = (a * a);
+    v16 = (134217729.0 * R);
+    v18 = (v16 - (v16 - R));
+    v19 = (R - v18);
+    v20 = (134217729.0 * d);
+    v22 = (v20 - (v20 - d));
+    v23 = (d - v22);
+    v32 = (134217729.0 * a);
+    v34 = (v32 - (v32 - a));
+    v35 = (a - v34);
+    v46 = (((v12 - v13) + ((((((v18 * v22) - v12) + (v18 * v23)) + (v19 * v22)) + (v19 * v23)) - (((((v34 * v34) - v13) + (v34 * v35)) + (v35 * v34)) + (v35 * v35)))) / R);
+    v47 = Math.sqrt(v12);
+    v53 = ((a * a) / R);
+    return ((E_inf + (E_1 * Math.exp(((-t) / tau)))) * (((1.3333333333333333 * (((v47 < a) || (v47 !== v47)) ? v47 : a)) * (((d < v53) || (d !== d)) ? d : v53)) + ((2.0 * a) * (((v46 > 0.0) || (v46 !== v46)) ? v46 : 0.0))));
+  }
+  return _step_force_standard_solid_of_capped_cylinder(t, d, a, R, E_inf, E_1, tau);
+};
+
+const step_force_standard_solid = (t, d, a, R, E_inf, E_1, tau) => {
+  if ((!((0.0 <= d && d < Infinity) && (0.0 < a && a < Infinity) && (0.0 < R && R < Infinity) && (0.0 < E_inf && E_inf < Infinity) && (0.0 <= E_1 && E_1 < Infinity) && (0.0 < tau && tau < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_force_standard_solid(t, d, a, R, E_inf, E_1, tau) : NaN);
+};
+
+const relaxation_power_creep = (t, E, alpha, t_0) => {
+  let v8;
+  v8 = (3.141592653589793 * alpha);
+  return (((E * Math.pow((t_0 / t), alpha)) * Math.sin(v8)) / v8);
+};
+
+const _step_force_power_creep_of_capped_cylinder = (t, d, a, R, E, alpha, t_0) => {
+  return (relaxation_power_creep(t, E, alpha, t_0) * _force(d, a, R, 1.0));
+};
+
+const _step_force_power_creep = (t, d, a, R, E, alpha, t_0) => {
+  let v11, v15, v16, v19, v21, v22, v23, v25, v26, v35, v37, v38, v49, v50, v56;
+  if (((t > 1e-30) && (t < 1e+30) && (d > 1e-30) && (d < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (E > 1e-30) && (E < 1e+30) && (alpha > 1e-30) && (alpha < 1.0) && (t_0 > 1e-30) && (t_0 < 1e+30))) {
+    v11 = (3.141592653589793 * alpha);
+    v15 = (R * d);
+    v16 = (a * a);
+    v19 = (134217729.0 * R);
+    v21 = (v19 - (v19 - R));
+    v22 = (R - v21);
+    v23 = (134217729.0 * d);
+    v25 = (v23 - (v23 - d));
+    v26 = (d - v25);
+    v35 = (134217729.0 * a);
+    v37 = (v35 - (v35 - a));
+    v38 = (a - v37);
+    v49 = (((v15 - v16) + ((((((v21 * v25) - v15) + (v21 * v26)) + (v22 * v25)) + (v22 * v26)) - (((((v37 * v37) - v16) + (v37 * v38)) + (v38 * v37)) + (v38 * v38)))) / R);
+    v50 = Math.sqrt(v15);
+    v56 = ((a * a) / R);
+    return ((((E * Math.pow((t_0 / t), alpha)) * Math.sin(v11)) / v11) * (((1.3333333333333333 * (((v50 < a) || (v50 !== v50)) ? v50 : a)) * (((d < v56) || (d !== d)) ? d : v56)) + ((2.0 * a) * (((v49 > 0.0) || (v49 !== v49)) ? v49 : 0.0))));
+  }
+  return _step_force_power_creep_of_capped_cylinder(t, d, a, R, E, alpha, t_0);
+};
+
+const step_force_power_creep = (t, d, a, R, E, alpha, t_0) => {
+  if ((!((0.0 <= d && d < Infinity) && (0.0 < a && a < Infinity) && (0.0 < R && R < Infinity) && (0.0 < E && E < Infinity) && (0.0 < alpha && alpha < 1.0) && (0.0 < t_0 && t_0 < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_force_power_creep(t, d, a, R, E, alpha, t_0) : NaN);
+};
+
+const once = {  };
 const formulas = {
   "U": (v) => energy(v.d, v.a, v.R, v.E_star),
   "Fr": (v) => load_within(v.r, v.d, v.a, v.R, v.E_star),
@@ -479,6 +1270,15 @@ const formulas = {
   "w": (v) => displacement(v.r, v.d, v.a, v.R),
   "k": (v) => stiffness(v.d, v.a, v.R, v.E_star),
   "dF": (v) => depth_from_force(v.F, v.a, v.R, v.E_star),
+  "fgm.F": (v) => force_of_capped_cylinder(v.d, v.a, v.R, v.H, v.k),
+  "fgm.p": (v) => pressure_of_capped_cylinder(v.r, v.d, v.a, v.R, v.H, v.k),
+  "fgm.w": (v) => displacement_of_capped_cylinder(v.r, v.d, v.a, v.R, v.k),
+  "fgm.k": (v) => stiffness_of_capped_cylinder(v.d, v.a, v.R, v.H, v.k),
+  "fgm.dF": (v) => depth_from_force_of_capped_cylinder(v.F, v.a, v.R, v.H, v.k),
+  "vis.step_mx": (v) => step_force_maxwell(v.t, v.d, v.a, v.R, v.E_law, v.tau),
+  "vis.step_kv": (v) => step_force_kelvin_voigt(v.t, v.d, v.a, v.R, v.E_law, v.eta),
+  "vis.step_sls": (v) => step_force_standard_solid(v.t, v.d, v.a, v.R, v.E_inf, v.E_1, v.tau),
+  "vis.step_pc": (v) => step_force_power_creep(v.t, v.d, v.a, v.R, v.E_law, v.alpha, v.t_0),
 };
 window.calculator = { ...{
  "fields": [
@@ -538,6 +1338,28 @@ window.calculator = { ...{
    "value": 0.3
   },
   {
+   "name": "H",
+   "tex": "H",
+   "meaning": "foundation modulus of the graded half-space",
+   "unit": "Pa m^(-k)",
+   "rule": "H > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 50000000.0
+  },
+  {
+   "name": "k",
+   "tex": "k",
+   "meaning": "exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space",
+   "unit": "1",
+   "rule": "-1 < k < 1",
+   "low": -1.0,
+   "high": 1.0,
+   "closed": "",
+   "value": 0.3
+  },
+  {
    "name": "r",
    "tex": "r",
    "meaning": "distance from the axis",
@@ -547,6 +1369,94 @@ window.calculator = { ...{
    "high": null,
    "closed": "low",
    "value": ""
+  },
+  {
+   "name": "E_law",
+   "tex": "E",
+   "meaning": "effective (plane-strain) modulus of the viscoelastic law",
+   "unit": "Pa",
+   "rule": "E_law > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 3000000.0
+  },
+  {
+   "name": "E_inf",
+   "tex": "E_\\infty",
+   "meaning": "long-time effective modulus",
+   "unit": "Pa",
+   "rule": "E_inf > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 1000000.0
+  },
+  {
+   "name": "E_1",
+   "tex": "E_1",
+   "meaning": "relaxing part of the effective modulus",
+   "unit": "Pa",
+   "rule": "E_1 >= 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "low",
+   "value": 2000000.0
+  },
+  {
+   "name": "tau",
+   "tex": "\\tau",
+   "meaning": "relaxation time",
+   "unit": "s",
+   "rule": "tau > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 1.0
+  },
+  {
+   "name": "eta",
+   "tex": "\\eta",
+   "meaning": "effective viscosity",
+   "unit": "Pa s",
+   "rule": "eta > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 1000000.0
+  },
+  {
+   "name": "alpha",
+   "tex": "\\alpha",
+   "meaning": "exponent of power-law creep",
+   "unit": "1",
+   "rule": "0 < alpha < 1",
+   "low": 0.0,
+   "high": 1.0,
+   "closed": "",
+   "value": 0.3
+  },
+  {
+   "name": "t_0",
+   "tex": "t_0",
+   "meaning": "reference time of power-law creep",
+   "unit": "s",
+   "rule": "t_0 > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 1.0
+  },
+  {
+   "name": "t",
+   "tex": "t",
+   "meaning": "time since first contact",
+   "unit": "s",
+   "rule": "t >= 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "low",
+   "value": 1.0
   }
  ],
  "state": [
@@ -584,7 +1494,8 @@ window.calculator = { ...{
    ],
    "unit": "J",
    "place": "",
-   "suffix": "U"
+   "suffix": "U",
+   "medium": 0
   },
   "Fr": {
    "gives": "F_r",
@@ -597,7 +1508,8 @@ window.calculator = { ...{
    ],
    "unit": "N",
    "place": "inside",
-   "suffix": "Fr"
+   "suffix": "Fr",
+   "medium": 0
   },
   "F": {
    "gives": "F",
@@ -609,7 +1521,8 @@ window.calculator = { ...{
    ],
    "unit": "N",
    "place": "",
-   "suffix": "F"
+   "suffix": "F",
+   "medium": 0
   },
   "p": {
    "gives": "p",
@@ -622,7 +1535,8 @@ window.calculator = { ...{
    ],
    "unit": "Pa",
    "place": "inside",
-   "suffix": "p"
+   "suffix": "p",
+   "medium": 0
   },
   "w": {
    "gives": "w",
@@ -634,7 +1548,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "outside",
-   "suffix": "w"
+   "suffix": "w",
+   "medium": 0
   },
   "k": {
    "gives": "stiffness",
@@ -646,7 +1561,8 @@ window.calculator = { ...{
    ],
    "unit": "N/m",
    "place": "",
-   "suffix": "k"
+   "suffix": "k",
+   "medium": 0
   },
   "dF": {
    "gives": "d",
@@ -658,7 +1574,141 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": "dF"
+   "suffix": "dF",
+   "medium": 0
+  },
+  "fgm.F": {
+   "gives": "F",
+   "needs": [
+    "d",
+    "a",
+    "R",
+    "H",
+    "k"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "F",
+   "medium": 1
+  },
+  "fgm.p": {
+   "gives": "p",
+   "needs": [
+    "r",
+    "d",
+    "a",
+    "R",
+    "H",
+    "k"
+   ],
+   "unit": "Pa",
+   "place": "inside",
+   "suffix": "p",
+   "medium": 1
+  },
+  "fgm.w": {
+   "gives": "w",
+   "needs": [
+    "r",
+    "d",
+    "a",
+    "R",
+    "k"
+   ],
+   "unit": "m",
+   "place": "outside",
+   "suffix": "w",
+   "medium": 1
+  },
+  "fgm.k": {
+   "gives": "stiffness",
+   "needs": [
+    "d",
+    "a",
+    "R",
+    "H",
+    "k"
+   ],
+   "unit": "N/m",
+   "place": "",
+   "suffix": "k",
+   "medium": 1
+  },
+  "fgm.dF": {
+   "gives": "d",
+   "needs": [
+    "F",
+    "a",
+    "R",
+    "H",
+    "k"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "dF",
+   "medium": 1
+  },
+  "vis.step_mx": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "d",
+    "a",
+    "R",
+    "E_law",
+    "tau"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.step_kv": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "d",
+    "a",
+    "R",
+    "E_law",
+    "eta"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.step_sls": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "d",
+    "a",
+    "R",
+    "E_inf",
+    "E_1",
+    "tau"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.step_pc": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "d",
+    "a",
+    "R",
+    "E_law",
+    "alpha",
+    "t_0"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
   }
  },
  "place": "r"

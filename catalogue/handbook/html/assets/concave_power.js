@@ -25,7 +25,10 @@ const math = {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
     return Array.from({ length: Math.max(Math.ceil((stop - start) / step), 0) }, (_, count) => start + step * count);
   },
-  zip: (x, y) => x.map((value, place) => [value, y[place]]),
+  zip: (x, y) => x.slice(0, y.length).map((value, place) => [value, y[place]]),
+  // named fields that are told by their places too
+  record: (fields) => Object.assign(Object.values(fields), fields),
+  replaced: (x, changes) => math.record({ ...Object.fromEntries(Object.entries(x).slice(x.length)), ...changes }),
   enumerate: (x, start = 0) => Array.from(x, (value, place) => [place + start, value]),
   repeated: (x, count) => math.range(count).flatMap(() => x),
   reversed: (x) => [...x].reverse(),
@@ -84,6 +87,63 @@ const math = {
     bits.setBigInt64(0, bits.getBigInt64(0) + (x > 0.0 === to > x ? 1n : -1n));
     return bits.getFloat64(0);
   },
+  halfway: (low, high) => {
+    const bits = new DataView(new ArrayBuffer(16));
+    bits.setFloat64(0, low);
+    bits.setFloat64(8, high);
+    const first = bits.getBigInt64(0);
+    bits.setBigInt64(0, first + (bits.getBigInt64(8) - first) / 2n);
+    return bits.getFloat64(0);
+  },
+  // radii around waves: decades, sixteen in each wave, decades
+  radii_of_waves: (length, reach) => {
+    const waves = Math.floor(math.clip(Number.isFinite(reach / length) ? reach / length : 4.0, 4.0, 4096.0));
+    const inner = [...math.range(15).map((place) => Math.pow(10.0, 10 * place - 150)), ...math.range(1, 16 * waves + 1).map((x) => x / 16.0)];
+    return [...inner, ...math.range(10).map((place) => (waves + 1.0) * Math.pow(10.0, 10 * place))].map((x) => x * length);
+  },
+  // what was found for the last arguments
+  kept: (of) => {
+    const known = new Map();
+    return (...given) => {
+      const key = given.join();
+      if (known.size > 99) known.clear();
+      if (!known.has(key)) known.set(key, of(...given));
+      return known.get(key);
+    };
+  },
+  // the branches on which a steepness is above a level, each end refined where the sign changes between two radii; what
+  // was sampled is that of a geometry, and keeps what was found in it
+  branches: (change, far) => (steepness, sampled, level) => {
+    const { radii, end } = sampled;
+    const steep = (sampled.steep ??= radii.map((a) => steepness(a)));
+    sampled.found ??= math.kept((level) => math.searched(change, far, steepness, radii, steep, end, level));
+    return sampled.found(level);
+  },
+  searched: (change, far, steepness, radii, steep, end, level) => {
+    const above = (a) => Math.log(steepness(a) / level);
+    const [first, last] = [[], []];
+    if (steep[0] >= level) first.push(radii[0]);
+    for (let place = 1; place < radii.length; place++) {
+      const [before, after] = [steep[place - 1], steep[place]];
+      const up = after >= level;
+      if (up !== before >= level && (up || radii[place - 1] < far)) {
+        const found = change(above, radii[place - 1], radii[place], Math.log(before / level), Math.log(after / level), up ? 1.0 : -1.0);
+        (up ? first : last).push(found);
+      }
+    }
+    const largest = math.nextafter(radii.at(-1), 0.0);
+    return { first: first.map((a) => Math.min(a, largest)), last: [...last, end].slice(0, first.length) };
+  },
+  lowest: ({ first }, load) => {
+    const loads = first.map(load);
+    const known = loads.filter((x) => x === x);
+    return known.length ? first[loads.indexOf(Math.min(...known))] : NaN;
+  },
+  springs: (pairs, under) => (left, low, high) => {
+    const first = left(low);
+    const terms = pairs.map(([node, weight]) => weight * left(low + (high - low) * node));
+    return (high - low) * (math.fsum(terms) + under * first);
+  },
   // nodes and weights on (0, 1) for an interval of a length, in panels beyond the last one
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
@@ -99,6 +159,19 @@ const math = {
   integral_by_panels: (integrand, stop, width, count) => {
     const panels = panelsOf(Math.max(stop / width, 1.0));
     return math.fsum(pairs(count, panels).map(([node, weight]) => weight * integrand(node * stop))) * stop;
+  },
+  both: (integrand, stop, width = 1.0, lengths = STRIPS) => {
+    if (stop !== stop) return [stop, stop];
+    const panels = panelsOf(Math.max(stop / width / lengths.at(-1)[0], 1.0));
+    const [first, second] = [[], []];
+    for (let start = 0; start < panels; start++) {
+      for (const [node, weight] of math.rule(lengths)(stop / width / panels)) {
+        const [x, y] = integrand(((start + node) / panels) * stop);
+        first.push((weight / panels) * x);
+        second.push((weight / panels) * y);
+      }
+    }
+    return [math.fsum(first) * stop, math.fsum(second) * stop];
   },
   integral_by_length: (...given) => math.integral_in_strip(...given),
   in_groups: (rule_of) => (slope, parameters, ...given) => {
@@ -1939,6 +2012,1601 @@ const retraction = (a, E_star, dgamma) => {
   return hess_retraction(a, E_star, dgamma);
 };
 
+const _pull_off_depth_of_concave_power = (a, h, n, E_star, dgamma) => {
+  let kappa;
+  kappa = gamma_ratio(((n / 2) + (1 / 2)));
+  return ((((-Math.sqrt(Math.PI)) * h) * kappa) - hess_retraction(a, E_star, dgamma));
+};
+
+const _pull_off_depth = (a, h, n, E_star, dgamma) => {
+  let v10, v14, v28, v8;
+  if (((a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (n > 1e-30) && (n < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30))) {
+    v8 = ((n / 2.0) + 0.5);
+    v10 = (v8 + 1.75);
+    v14 = ((v8 + 0.5) * (v8 + 1.5));
+    v28 = (1.0 / (v10 * v10));
+    return ((((-1.7724538509055159) * h) * ((((v8 < 1.0) ? ((v8 * (v8 + 1.0)) / v14) : (1.0 - ((v8 + 0.75) / v14))) * Math.sqrt(v10)) * (1.0 + (v28 * (((((((((((((0.01524698625788054 * v28) + 0.5334320651111477) * v28) + 2.250488865813539) * v28) + 2.8612106440066865) * v28) + 1.3794681629043655) * v28) + 0.2596058532893223) * v28) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v28) + 49.328555418276075) * v28) + 167.28648538571198) * v28) + 195.37226190335065) * v28) + 90.69722535867314) * v28) + 16.763212110504565) * v28) + 1.0)))))) - (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))));
+  }
+  return _pull_off_depth_of_concave_power(a, h, n, E_star, dgamma);
+};
+
+const _pull_off_force_of_concave_power = (a, h, n, E_star, dgamma) => {
+  let kappa;
+  kappa = gamma_ratio(((n / 2) + (1 / 2)));
+  return ((((-2) * a) * Math.sqrt(((((2 * Math.PI) * E_star) * dgamma) * a))) - (((((((2 * Math.sqrt(Math.PI)) * E_star) * n) * h) / (n + 1)) * a) * kappa));
+};
+
+const _pull_off_force = (a, h, n, E_star, dgamma) => {
+  let v10, v14, v28, v8;
+  if (((a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (n > 1e-30) && (n < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30))) {
+    v8 = ((n / 2.0) + 0.5);
+    v10 = (v8 + 1.75);
+    v14 = ((v8 + 0.5) * (v8 + 1.5));
+    v28 = (1.0 / (v10 * v10));
+    return ((((-2.0) * a) * Math.sqrt((((6.283185307179586 * E_star) * dgamma) * a))) - ((((((3.5449077018110318 * E_star) * n) * h) / (n + 1.0)) * a) * ((((v8 < 1.0) ? ((v8 * (v8 + 1.0)) / v14) : (1.0 - ((v8 + 0.75) / v14))) * Math.sqrt(v10)) * (1.0 + (v28 * (((((((((((((0.01524698625788054 * v28) + 0.5334320651111477) * v28) + 2.250488865813539) * v28) + 2.8612106440066865) * v28) + 1.3794681629043655) * v28) + 0.2596058532893223) * v28) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v28) + 49.328555418276075) * v28) + 167.28648538571198) * v28) + 195.37226190335065) * v28) + 90.69722535867314) * v28) + 16.763212110504565) * v28) + 1.0)))))));
+  }
+  return _pull_off_force_of_concave_power(a, h, n, E_star, dgamma);
+};
+
+const PullOff = (radius, force, depth) => math.record({ radius, force, depth });
+
+const pull_off = (control = 'force', a, h, n, E_star, dgamma) => {
+  let depth, force;
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < n && n < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity) && (n > 1)))) {
+    return NaN;
+  }
+  depth = _pull_off_depth(a, h, n, E_star, dgamma);
+  force = _pull_off_force(a, h, n, E_star, dgamma);
+  return PullOff(((depth * 0.0) + a), force, depth);
+};
+
+const _gamma = (x) => {
+  return math.vectorize(math.gamma)(x);
+};
+
+const FAR = 40.0;
+
+const _near = (x, e, steps) => {
+  let before, i, lost, part, total;
+  [total, lost] = [0.0, 0.0];
+  for (i of math.range((steps - 1), (-1), (-1))) {
+    part = (Math.log1p((e / (x + i))) - lost);
+    [before, total] = [total, (total + part)];
+    lost = ((total - before) - part);
+  }
+  return total;
+};
+
+const _to_the_last_digit = (terms) => {
+  let before, lost, part, term, total;
+  [total, lost] = [0.0, 0.0];
+  for (term of terms) {
+    part = (term - lost);
+    [before, total] = [total, (total + part)];
+    lost = ((total - before) - part);
+  }
+  return total;
+};
+
+const series = (e) => {
+  let first, second, third;
+  first = (((-e) * ((e * e) - 1.0)) / 24.0);
+  second = (((((e * (e - 1.0)) * (e - 2.0)) * (e - 3.0)) * (e + 1.0)) / 5760.0);
+  third = ((((second * (e - 4.0)) * (e - 5.0)) / (-504.0)) * (((35.0 * Math.pow((e + 1.0), 2)) + (42.0 * (e + 1.0))) + 16.0));
+  return [first, (second * ((5.0 * e) + 7.0)), third];
+};
+
+const _rising = (x, e) => {
+  let first, near, second, shifts, steps, third, w;
+  [x, e] = [math.asarray(x), math.asarray(e)];
+  steps = Math.ceil(math.maximum((FAR - x), 0.0));
+  if ((math.ndim((x + e)) === 0)) {
+    near = _near(Number(x), Number(e), Math.trunc(steps));
+  } else {
+    shifts = math.reversed(math.range(Math.trunc(math.maximum(steps))));
+    near = _to_the_last_digit([...shifts].map((i) => math.where((i < steps), Math.log1p((e / (x + i))), 0.0)));
+  }
+  w = ((x + steps) + ((e - 1.0) / 2.0));
+  [first, second, third] = series(e);
+  return ((Math.pow(w, e) * (1.0 + ((first + ((second + (third / (w * w))) / (w * w))) / (w * w)))) * Math.exp((-near)));
+};
+
+const power_factor = math.kept((n, k) => {
+  let half;
+  half = ((1.0 + k) / 2.0);
+  return (((((1.0 + k) + n) / (1.0 + k)) * _gamma((1.0 + half))) / _rising((1.0 + (n / 2.0)), half));
+});
+
+const RULE_0_of_ring = math.rule([[3.0, 32], [20.0, 64], [Infinity, 128]]);
+
+const lifted_at_zero_pressure = (n, k) => {
+  let node, v10, v103, v104, v105, v106, v112, v121, v122, v124, v129, v130, v131, v133, v134, v136, v138, v140, v143, v144, v148, v150, v16, v164, v165, v166, v180, v181, v183, v188, v189, v190, v192, v193, v195, v197, v199, v202, v203, v207, v209, v223, v224, v225, v239, v240, v242, v247, v248, v249, v251, v252, v254, v256, v258, v261, v262, v266, v268, v28, v282, v283, v284, v298, v299, v3, v301, v306, v307, v308, v310, v311, v313, v315, v317, v320, v321, v325, v327, v341, v342, v343, v357, v360, v362, v365, v367, v368, v370, v372, v374, v376, v386, v387, v41, v48, v5, v50, v52, v54, v6, v60, v62, v63, v64, v65, v67, v68, v70, v72, v75, v78, v79, v8, v83, v85, v87, v9, v98, weight;
+  v6 = (n > 2.0);
+  v365 = (n - 1.0);
+  if (v6) {
+    v3 = (1.0 + k);
+    v5 = (v3 / 2.0);
+    v8 = (v6 ? n : 3.0);
+    v9 = (v8 - 2.0);
+    v10 = (1.0 - k);
+    v16 = ((1.2732395447351628 * Math.sin((1.5707963267948966 * v10))) / v3);
+    v28 = (0.36 + (0.4 * k));
+    v41 = (math.log1p(((v16 + (((((2.0 * Math.expm1((((-0.5) * v10) * math.log((v10 / 4.0))))) - v16) * (1.0 + v28)) * v9) / (v9 + (2.0 * (((v28 > 0.0) || (v28 !== v28)) ? v28 : 0.0))))) / v9)) / v10);
+    if ((v9 < 2.0)) {
+      v48 = (math.log(((v9 * (v9 + 2.0)) / (2.0 * v10))) / v9);
+      v50 = (((v41 > v48) || (v41 !== v41)) ? v41 : v48);
+    } else {
+      v50 = v41;
+    }
+    v52 = ((-2.0) * v50);
+    v54 = (-Math.expm1(v52));
+    v60 = ((v8 - 1.0) + k);
+    v62 = (v60 - (v8 * Math.exp(((-2.0) * (((v50 < 300.0) || (v50 !== v50)) ? v50 : 300.0)))));
+    v63 = (((v62 > v3) || (v62 !== v62)) ? v62 : v3);
+    v64 = (v10 * v50);
+    v65 = (v9 + 1.0);
+    v67 = (1.0 / (v65 * v50));
+    v83 = (v9 * v50);
+    v87 = (0.5 * v9);
+    v98 = ((k - 1.0) / 2.0);
+    v104 = [];
+    for ([node, weight] of RULE_0_of_ring((1.0 / v67))) {
+      v68 = (node * 1.0);
+      v70 = ((v68 * v68) * v68);
+      v72 = ((v70 * v70) * v68);
+      v75 = (v72 * v68);
+      v78 = (-Math.expm1((v52 * v75)));
+      v79 = (1.0 - v75);
+      v85 = Math.expm1((v83 * v75));
+      v103 = ((8.0 * v72) * (((Math.exp((v64 * v79)) * Math.pow((v78 / v54), v98)) * (v85 - (((v87 * (v85 + 1.0)) * v78) * ((-Math.expm1((v52 * v79))) / v54)))) / v78));
+      v104.push((weight * v103));
+    }
+    v104 = (math.fsum(v104) * 1.0);
+    v105 = (v64 * v104);
+    v106 = (v10 * v3);
+    v112 = (2.0 * v60);
+    v121 = (v50 - ((math.log(v105) * v105) / (((v106 * Math.exp(v83)) / (v54 * v63)) + ((v105 - 1.0) * ((v112 / v63) - (v3 / v54))))));
+    v122 = ((-2.0) * v121);
+    v124 = (-Math.expm1(v122));
+    v129 = (v60 - (v8 * Math.exp(((-2.0) * (((v121 < 300.0) || (v121 !== v121)) ? v121 : 300.0)))));
+    v130 = (((v129 > v3) || (v129 !== v129)) ? v129 : v3);
+    v131 = (v10 * v121);
+    v133 = (1.0 / (v65 * v121));
+    v148 = (v9 * v121);
+    v165 = [];
+    for ([node, weight] of RULE_0_of_ring((1.0 / v133))) {
+      v134 = (node * 1.0);
+      v136 = ((v134 * v134) * v134);
+      v138 = ((v136 * v136) * v134);
+      v140 = (v138 * v134);
+      v143 = (-Math.expm1((v122 * v140)));
+      v144 = (1.0 - v140);
+      v150 = Math.expm1((v148 * v140));
+      v164 = ((8.0 * v138) * (((Math.exp((v131 * v144)) * Math.pow((v143 / v124), v98)) * (v150 - (((v87 * (v150 + 1.0)) * v143) * ((-Math.expm1((v122 * v144))) / v124)))) / v143));
+      v165.push((weight * v164));
+    }
+    v165 = (math.fsum(v165) * 1.0);
+    v166 = (v131 * v165);
+    v180 = (v121 - ((math.log(v166) * v166) / (((v106 * Math.exp(v148)) / (v124 * v130)) + ((v166 - 1.0) * ((v112 / v130) - (v3 / v124))))));
+    v181 = ((-2.0) * v180);
+    v183 = (-Math.expm1(v181));
+    v188 = (v60 - (v8 * Math.exp(((-2.0) * (((v180 < 300.0) || (v180 !== v180)) ? v180 : 300.0)))));
+    v189 = (((v188 > v3) || (v188 !== v188)) ? v188 : v3);
+    v190 = (v10 * v180);
+    v192 = (1.0 / (v65 * v180));
+    v207 = (v9 * v180);
+    v224 = [];
+    for ([node, weight] of RULE_0_of_ring((1.0 / v192))) {
+      v193 = (node * 1.0);
+      v195 = ((v193 * v193) * v193);
+      v197 = ((v195 * v195) * v193);
+      v199 = (v197 * v193);
+      v202 = (-Math.expm1((v181 * v199)));
+      v203 = (1.0 - v199);
+      v209 = Math.expm1((v207 * v199));
+      v223 = ((8.0 * v197) * (((Math.exp((v190 * v203)) * Math.pow((v202 / v183), v98)) * (v209 - (((v87 * (v209 + 1.0)) * v202) * ((-Math.expm1((v181 * v203))) / v183)))) / v202));
+      v224.push((weight * v223));
+    }
+    v224 = (math.fsum(v224) * 1.0);
+    v225 = (v190 * v224);
+    v239 = (v180 - ((math.log(v225) * v225) / (((v106 * Math.exp(v207)) / (v183 * v189)) + ((v225 - 1.0) * ((v112 / v189) - (v3 / v183))))));
+    v240 = ((-2.0) * v239);
+    v242 = (-Math.expm1(v240));
+    v247 = (v60 - (v8 * Math.exp(((-2.0) * (((v239 < 300.0) || (v239 !== v239)) ? v239 : 300.0)))));
+    v248 = (((v247 > v3) || (v247 !== v247)) ? v247 : v3);
+    v249 = (v10 * v239);
+    v251 = (1.0 / (v65 * v239));
+    v266 = (v9 * v239);
+    v283 = [];
+    for ([node, weight] of RULE_0_of_ring((1.0 / v251))) {
+      v252 = (node * 1.0);
+      v254 = ((v252 * v252) * v252);
+      v256 = ((v254 * v254) * v252);
+      v258 = (v256 * v252);
+      v261 = (-Math.expm1((v240 * v258)));
+      v262 = (1.0 - v258);
+      v268 = Math.expm1((v266 * v258));
+      v282 = ((8.0 * v256) * (((Math.exp((v249 * v262)) * Math.pow((v261 / v242), v98)) * (v268 - (((v87 * (v268 + 1.0)) * v261) * ((-Math.expm1((v240 * v262))) / v242)))) / v261));
+      v283.push((weight * v282));
+    }
+    v283 = (math.fsum(v283) * 1.0);
+    v284 = (v249 * v283);
+    v298 = (v239 - ((math.log(v284) * v284) / (((v106 * Math.exp(v266)) / (v242 * v248)) + ((v284 - 1.0) * ((v112 / v248) - (v3 / v242))))));
+    v299 = ((-2.0) * v298);
+    v301 = (-Math.expm1(v299));
+    v306 = (v60 - (v8 * Math.exp(((-2.0) * (((v298 < 300.0) || (v298 !== v298)) ? v298 : 300.0)))));
+    v307 = (((v306 > v3) || (v306 !== v306)) ? v306 : v3);
+    v308 = (v10 * v298);
+    v310 = (1.0 / (v65 * v298));
+    v325 = (v9 * v298);
+    v342 = [];
+    for ([node, weight] of RULE_0_of_ring((1.0 / v310))) {
+      v311 = (node * 1.0);
+      v313 = ((v311 * v311) * v311);
+      v315 = ((v313 * v313) * v311);
+      v317 = (v315 * v311);
+      v320 = (-Math.expm1((v299 * v317)));
+      v321 = (1.0 - v317);
+      v327 = Math.expm1((v325 * v317));
+      v341 = ((8.0 * v315) * (((Math.exp((v308 * v321)) * Math.pow((v320 / v301), v98)) * (v327 - (((v87 * (v327 + 1.0)) * v320) * ((-Math.expm1((v299 * v321))) / v301)))) / v320));
+      v342.push((weight * v341));
+    }
+    v342 = (math.fsum(v342) * 1.0);
+    v343 = (v308 * v342);
+    v357 = (v298 - ((math.log(v343) * v343) / (((v106 * Math.exp(v325)) / (v301 * v307)) + ((v343 - 1.0) * ((v112 / v307) - (v3 / v301))))));
+    v360 = ((-2.0) * v357);
+    v362 = (-Math.expm1(v360));
+    v367 = (1.0 / (v365 * v357));
+    v376 = ((-((n - 3.0) + k)) * v357);
+    v387 = [];
+    for ([node, weight] of RULE_0_of_ring((1.0 / v367))) {
+      v368 = (node * 1.0);
+      v370 = ((v368 * v368) * v368);
+      v372 = ((v370 * v370) * v368);
+      v374 = (v372 * v368);
+      v386 = ((8.0 * v372) * (Math.exp((v376 * (1.0 - v374))) * Math.pow(((-Math.expm1((v360 * v374))) / v362), v5)));
+      v387.push((weight * v386));
+    }
+    v387 = (math.fsum(v387) * 1.0);
+    return ((n * v3) / ((n - 2.0) * (1.0 - (((n - 4.0) * v357) * v387))));
+  }
+  return (v365 + k);
+};
+
+const _minimum_depth_2 = (a, h, n, k) => {
+  return ((((h * power_factor(n, k)) * (1.0 - k)) / lifted_at_zero_pressure(n, k)) + (0.0 * a));
+};
+
+const punch_stiffness = (a, H, k) => {
+  return (((2.0 * H) / (1.0 + k)) * ((a > 0.0) ? (a * Math.pow(a, k)) : 0.0));
+};
+
+const _force_2 = (d, a, h, n, H, k) => {
+  let complete;
+  complete = ((_minimum_depth_2(a, h, n, k) * (1.0 - 1e-15)) <= d);
+  return (complete ? (punch_stiffness(a, H, k) * (d + (((h * power_factor(n, k)) * (1.0 + k)) / ((n + 1.0) + k)))) : NaN);
+};
+
+const force_of_concave_power = (d, a, h, n, H, k) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < n && n < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  if ((!(math.asarray(n) > (1.0 - math.asarray(k))))) {
+    return NaN;
+  }
+  return ((d >= 0.0) ? _force_2(d, a, h, n, H, k) : NaN);
+};
+
+const punch_pressure = (r, a, H, k) => {
+  let v4, v9;
+  if ((r < a)) {
+    v4 = (a - r);
+    v9 = math.sqrt(((((v4 > 0.0) || (v4 !== v4)) ? v4 : 0.0) * (a + r)));
+    return (((H / 3.141592653589793) * Math.pow(v9, k)) / v9);
+  }
+  if ((r > a)) {
+    return 0.0;
+  }
+  return Infinity;
+};
+
+const _EVEN = 16;
+
+const _even_growth = (r, a, n, k) => {
+  let half, j, share, square, total;
+  [half, square] = [((1.0 + k) / 2.0), Math.pow((r / a), 2)];
+  total = (0.5 / half);
+  for (j of math.range(1, Math.floor(n / 2))) {
+    total = ((0.5 + ((j * square) * total)) / (j + half));
+  }
+  share = (((a - r) / a) * ((a + r) / a));
+  return ((Math.sqrt(share) * Math.pow(share, (k / 2.0))) * total);
+};
+
+const axis_power = (n, k) => {
+  if ((n < 0.5)) {
+    return ((k - 1.0) + n);
+  }
+  return ((n - 1.0) + k);
+};
+
+const NODES_of_rules = 64;
+
+const weighted = (smooth, stop, power, count = NODES_of_rules, above = null) => {
+  let end, pairs;
+  if ((power >= (-0.25))) {
+    return math.fsum([...math.products(power, count, false)].map(([node, weight]) => (weight * smooth((node * stop)))));
+  }
+  above = ((above == null) ? (1.0 + power) : above);
+  end = smooth(0.0);
+  pairs = math.products(above, count, true);
+  return ((end / above) + math.fsum([...pairs].map(([node, weight]) => (weight * (smooth((node * stop)) - end)))));
+};
+
+const RULE_0_of_pressure = math.rule([[Infinity, 64]]);
+
+const _steep = (rest, near, m, half) => {
+  let node, v11, v12, v14, v15, v25, v26, v6, v7, weight;
+  v6 = (Number.isFinite(rest) ? rest : Infinity);
+  v7 = Math.abs(m);
+  v11 = (42.0 / (((v7 > 20.0) || (v7 !== v7)) ? v7 : 20.0));
+  v12 = (((v6 < v11) || (v6 !== v6)) ? v6 : v11);
+  v15 = (-m);
+  v26 = [];
+  for ([node, weight] of RULE_0_of_pressure((v12 / 1.0))) {
+    v14 = (node * v12);
+    v25 = (Math.exp((v15 * v14)) * Math.pow((-Math.expm1(((-2.0) * (near + (v6 - v14))))), half));
+    v26.push((weight * v25));
+  }
+  v26 = (math.fsum(v26) * v12);
+  return v26;
+};
+
+const _tail = (rest, near, m, half, far) => {
+  let v10, v107, v109, v11, v110, v111, v118, v12, v133, v135, v136, v137, v144, v158, v160, v161, v162, v169, v184, v186, v187, v188, v19, v195, v209, v21, v211, v212, v213, v220, v235, v237, v238, v239, v246, v260, v262, v263, v264, v271, v286, v288, v289, v290, v297, v31, v311, v313, v314, v315, v322, v33, v337, v339, v34, v340, v341, v348, v35, v362, v364, v365, v366, v373, v388, v390, v391, v392, v399, v413, v415, v416, v417, v42, v424, v439, v441, v442, v443, v450, v464, v466, v467, v468, v475, v490, v492, v493, v494, v501, v512, v515, v517, v518, v519, v526, v543, v544, v545, v552, v56, v58, v59, v60, v67, v7, v82, v84, v85, v86, v93;
+  v7 = (Number.isFinite(rest) ? rest : 0.0);
+  v10 = (m - 0.0);
+  v11 = (v10 === 0.0);
+  if (v11) {
+    v19 = v7;
+  } else {
+    v12 = Math.abs(v10);
+    v19 = ((-Math.expm1(((-v12) * v7))) / (v11 ? 1.0 : v12));
+  }
+  v21 = (near + v7);
+  v31 = (0.0 - half);
+  v33 = (m - 2.0);
+  v34 = (v33 === 0.0);
+  if (v34) {
+    v42 = v7;
+  } else {
+    v35 = Math.abs(v33);
+    v42 = ((-Math.expm1(((-v35) * v7))) / (v34 ? 1.0 : v35));
+  }
+  v56 = ((v31 * (1.0 - half)) / 2.0);
+  v58 = (m - 4.0);
+  v59 = (v58 === 0.0);
+  if (v59) {
+    v67 = v7;
+  } else {
+    v60 = Math.abs(v58);
+    v67 = ((-Math.expm1(((-v60) * v7))) / (v59 ? 1.0 : v60));
+  }
+  v82 = ((v56 * (2.0 - half)) / 3.0);
+  v84 = (m - 6.0);
+  v85 = (v84 === 0.0);
+  if (v85) {
+    v93 = v7;
+  } else {
+    v86 = Math.abs(v84);
+    v93 = ((-Math.expm1(((-v86) * v7))) / (v85 ? 1.0 : v86));
+  }
+  v107 = ((v82 * (3.0 - half)) / 4.0);
+  v109 = (m - 8.0);
+  v110 = (v109 === 0.0);
+  if (v110) {
+    v118 = v7;
+  } else {
+    v111 = Math.abs(v109);
+    v118 = ((-Math.expm1(((-v111) * v7))) / (v110 ? 1.0 : v111));
+  }
+  v133 = ((v107 * (4.0 - half)) / 5.0);
+  v135 = (m - 10.0);
+  v136 = (v135 === 0.0);
+  if (v136) {
+    v144 = v7;
+  } else {
+    v137 = Math.abs(v135);
+    v144 = ((-Math.expm1(((-v137) * v7))) / (v136 ? 1.0 : v137));
+  }
+  v158 = ((v133 * (5.0 - half)) / 6.0);
+  v160 = (m - 12.0);
+  v161 = (v160 === 0.0);
+  if (v161) {
+    v169 = v7;
+  } else {
+    v162 = Math.abs(v160);
+    v169 = ((-Math.expm1(((-v162) * v7))) / (v161 ? 1.0 : v162));
+  }
+  v184 = ((v158 * (6.0 - half)) / 7.0);
+  v186 = (m - 14.0);
+  v187 = (v186 === 0.0);
+  if (v187) {
+    v195 = v7;
+  } else {
+    v188 = Math.abs(v186);
+    v195 = ((-Math.expm1(((-v188) * v7))) / (v187 ? 1.0 : v188));
+  }
+  v209 = ((v184 * (7.0 - half)) / 8.0);
+  v211 = (m - 16.0);
+  v212 = (v211 === 0.0);
+  if (v212) {
+    v220 = v7;
+  } else {
+    v213 = Math.abs(v211);
+    v220 = ((-Math.expm1(((-v213) * v7))) / (v212 ? 1.0 : v213));
+  }
+  v235 = ((v209 * (8.0 - half)) / 9.0);
+  v237 = (m - 18.0);
+  v238 = (v237 === 0.0);
+  if (v238) {
+    v246 = v7;
+  } else {
+    v239 = Math.abs(v237);
+    v246 = ((-Math.expm1(((-v239) * v7))) / (v238 ? 1.0 : v239));
+  }
+  v260 = ((v235 * (9.0 - half)) / 10.0);
+  v262 = (m - 20.0);
+  v263 = (v262 === 0.0);
+  if (v263) {
+    v271 = v7;
+  } else {
+    v264 = Math.abs(v262);
+    v271 = ((-Math.expm1(((-v264) * v7))) / (v263 ? 1.0 : v264));
+  }
+  v286 = ((v260 * (10.0 - half)) / 11.0);
+  v288 = (m - 22.0);
+  v289 = (v288 === 0.0);
+  if (v289) {
+    v297 = v7;
+  } else {
+    v290 = Math.abs(v288);
+    v297 = ((-Math.expm1(((-v290) * v7))) / (v289 ? 1.0 : v290));
+  }
+  v311 = ((v286 * (11.0 - half)) / 12.0);
+  v313 = (m - 24.0);
+  v314 = (v313 === 0.0);
+  if (v314) {
+    v322 = v7;
+  } else {
+    v315 = Math.abs(v313);
+    v322 = ((-Math.expm1(((-v315) * v7))) / (v314 ? 1.0 : v315));
+  }
+  v337 = ((v311 * (12.0 - half)) / 13.0);
+  v339 = (m - 26.0);
+  v340 = (v339 === 0.0);
+  if (v340) {
+    v348 = v7;
+  } else {
+    v341 = Math.abs(v339);
+    v348 = ((-Math.expm1(((-v341) * v7))) / (v340 ? 1.0 : v341));
+  }
+  v362 = ((v337 * (13.0 - half)) / 14.0);
+  v364 = (m - 28.0);
+  v365 = (v364 === 0.0);
+  if (v365) {
+    v373 = v7;
+  } else {
+    v366 = Math.abs(v364);
+    v373 = ((-Math.expm1(((-v366) * v7))) / (v365 ? 1.0 : v366));
+  }
+  v388 = ((v362 * (14.0 - half)) / 15.0);
+  v390 = (m - 30.0);
+  v391 = (v390 === 0.0);
+  if (v391) {
+    v399 = v7;
+  } else {
+    v392 = Math.abs(v390);
+    v399 = ((-Math.expm1(((-v392) * v7))) / (v391 ? 1.0 : v392));
+  }
+  v413 = ((v388 * (15.0 - half)) / 16.0);
+  v415 = (m - 32.0);
+  v416 = (v415 === 0.0);
+  if (v416) {
+    v424 = v7;
+  } else {
+    v417 = Math.abs(v415);
+    v424 = ((-Math.expm1(((-v417) * v7))) / (v416 ? 1.0 : v417));
+  }
+  v439 = ((v413 * (16.0 - half)) / 17.0);
+  v441 = (m - 34.0);
+  v442 = (v441 === 0.0);
+  if (v442) {
+    v450 = v7;
+  } else {
+    v443 = Math.abs(v441);
+    v450 = ((-Math.expm1(((-v443) * v7))) / (v442 ? 1.0 : v443));
+  }
+  v464 = ((v439 * (17.0 - half)) / 18.0);
+  v466 = (m - 36.0);
+  v467 = (v466 === 0.0);
+  if (v467) {
+    v475 = v7;
+  } else {
+    v468 = Math.abs(v466);
+    v475 = ((-Math.expm1(((-v468) * v7))) / (v467 ? 1.0 : v468));
+  }
+  v490 = ((v464 * (18.0 - half)) / 19.0);
+  v492 = (m - 38.0);
+  v493 = (v492 === 0.0);
+  if (v493) {
+    v501 = v7;
+  } else {
+    v494 = Math.abs(v492);
+    v501 = ((-Math.expm1(((-v494) * v7))) / (v493 ? 1.0 : v494));
+  }
+  v512 = ((((((((((((((((((((0.0 + (v19 * ((v10 > 0.0) ? Math.exp(((-0.0) * v21)) : (Math.exp(((-0.0) * near)) * far)))) + ((v31 * v42) * ((v33 > 0.0) ? Math.exp(((-2.0) * v21)) : (Math.exp(((-2.0) * near)) * far)))) + ((v56 * v67) * ((v58 > 0.0) ? Math.exp(((-4.0) * v21)) : (Math.exp(((-4.0) * near)) * far)))) + ((v82 * v93) * ((v84 > 0.0) ? Math.exp(((-6.0) * v21)) : (Math.exp(((-6.0) * near)) * far)))) + ((v107 * v118) * ((v109 > 0.0) ? Math.exp(((-8.0) * v21)) : (Math.exp(((-8.0) * near)) * far)))) + ((v133 * v144) * ((v135 > 0.0) ? Math.exp(((-10.0) * v21)) : (Math.exp(((-10.0) * near)) * far)))) + ((v158 * v169) * ((v160 > 0.0) ? Math.exp(((-12.0) * v21)) : (Math.exp(((-12.0) * near)) * far)))) + ((v184 * v195) * ((v186 > 0.0) ? Math.exp(((-14.0) * v21)) : (Math.exp(((-14.0) * near)) * far)))) + ((v209 * v220) * ((v211 > 0.0) ? Math.exp(((-16.0) * v21)) : (Math.exp(((-16.0) * near)) * far)))) + ((v235 * v246) * ((v237 > 0.0) ? Math.exp(((-18.0) * v21)) : (Math.exp(((-18.0) * near)) * far)))) + ((v260 * v271) * ((v262 > 0.0) ? Math.exp(((-20.0) * v21)) : (Math.exp(((-20.0) * near)) * far)))) + ((v286 * v297) * ((v288 > 0.0) ? Math.exp(((-22.0) * v21)) : (Math.exp(((-22.0) * near)) * far)))) + ((v311 * v322) * ((v313 > 0.0) ? Math.exp(((-24.0) * v21)) : (Math.exp(((-24.0) * near)) * far)))) + ((v337 * v348) * ((v339 > 0.0) ? Math.exp(((-26.0) * v21)) : (Math.exp(((-26.0) * near)) * far)))) + ((v362 * v373) * ((v364 > 0.0) ? Math.exp(((-28.0) * v21)) : (Math.exp(((-28.0) * near)) * far)))) + ((v388 * v399) * ((v390 > 0.0) ? Math.exp(((-30.0) * v21)) : (Math.exp(((-30.0) * near)) * far)))) + ((v413 * v424) * ((v415 > 0.0) ? Math.exp(((-32.0) * v21)) : (Math.exp(((-32.0) * near)) * far)))) + ((v439 * v450) * ((v441 > 0.0) ? Math.exp(((-34.0) * v21)) : (Math.exp(((-34.0) * near)) * far)))) + ((v464 * v475) * ((v466 > 0.0) ? Math.exp(((-36.0) * v21)) : (Math.exp(((-36.0) * near)) * far)))) + ((v490 * v501) * ((v492 > 0.0) ? Math.exp(((-38.0) * v21)) : (Math.exp(((-38.0) * near)) * far))));
+  v515 = ((v490 * (19.0 - half)) / 20.0);
+  v517 = (m - 40.0);
+  v518 = (v517 === 0.0);
+  if (v518) {
+    v526 = v7;
+  } else {
+    v519 = Math.abs(v517);
+    v526 = ((-Math.expm1(((-v519) * v7))) / (v518 ? 1.0 : v519));
+  }
+  v543 = (m - 42.0);
+  v544 = (v543 === 0.0);
+  if (v544) {
+    v552 = v7;
+  } else {
+    v545 = Math.abs(v543);
+    v552 = ((-Math.expm1(((-v545) * v7))) / (v544 ? 1.0 : v545));
+  }
+  return ((v512 + ((v515 * v526) * ((v517 > 0.0) ? Math.exp(((-40.0) * v21)) : (Math.exp(((-40.0) * near)) * far)))) + ((((v515 * (20.0 - half)) / 21.0) * v552) * ((v543 > 0.0) ? Math.exp(((-42.0) * v21)) : (Math.exp(((-42.0) * near)) * far))));
+};
+
+const power_growth = (r, a, n, k) => {
+  let above, far, first, half, length, m, near, place, rest, smooth, total;
+  if (((typeof n === "number") && ((n % 2.0) === 0.0) && (n <= _EVEN))) {
+    return _even_growth(r, a, Math.trunc(n), k);
+  }
+  m = axis_power(n, k);
+  length = Math.log1p(((a - r) / r));
+  length = (Number.isFinite(length) ? length : (Math.log(a) - Math.log(r)));
+  near = math.minimum(math.minimum(length, 1.0), (20.0 / math.maximum(Math.abs(m), 1e-300)));
+  [half, above] = [((k - 1.0) / 2.0), ((k + 1.0) / 2.0)];
+  smooth = (x) => {
+    let shrink;
+    shrink = ((x > 0.0) ? ((-Math.expm1(((-2.0) * x))) / ((x > 0.0) ? x : 1.0)) : 2.0);
+    return (Math.pow(shrink, half) * Math.exp(((-m) * (near - x))));
+  };
+  rest = (length - near);
+  place = math.minimum(((r / a) * Math.exp(near)), 1.0);
+  far = ((Math.pow(place, n) / place) * Math.pow(place, k));
+  first = (((rest > 0.0) ? far : 1.0) * Math.pow(near, above));
+  first = (first * weighted(smooth, near, half, undefined, above));
+  total = (first + ((Math.abs(m) > 20.0) ? _steep(rest, near, m, half) : _tail(rest, near, m, half, far)));
+  return ((r > 0.0) ? total : ((m > 0.0) ? (1.0 / ((m > 0.0) ? m : 1.0)) : Infinity));
+};
+
+const power_pressure_of_pressure = (r, a, n, k) => {
+  return (((power_factor(n, k) * n) * ((Math.pow(a, n) / a) * Math.pow(a, k))) * power_growth(r, a, n, k));
+};
+
+const _pressure_2 = (r, d, a, h, n, H, k) => {
+  let complete, edge, hollow;
+  complete = ((_minimum_depth_2(a, h, n, k) * (1.0 - 1e-15)) <= d);
+  edge = ((d + (h * power_factor(n, k))) * punch_pressure(r, a, H, k));
+  hollow = ((((H / Math.PI) * h) * power_pressure_of_pressure(math.minimum(r, a), a, n, k)) / Math.pow(a, n));
+  return (complete ? ((r < a) ? (edge - hollow) : edge) : NaN);
+};
+
+const pressure_of_concave_power = (r, d, a, h, n, H, k) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < n && n < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  if ((!(math.asarray(n) > (1.0 - math.asarray(k))))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (d >= 0.0)) ? ((r < Infinity) ? _pressure_2(r, d, a, h, n, H, k) : 0.0) : NaN);
+};
+
+const difference_root = (x, y) => {
+  let v2;
+  v2 = (x - y);
+  return math.sqrt(((((v2 > 0.0) || (v2 !== v2)) ? v2 : 0.0) * (x + y)));
+};
+
+const punch_scale = (k) => {
+  return (0.6366197723675814 * Math.sin((1.5707963267948966 * (1.0 - Math.abs(k)))));
+};
+
+const EDGE = [[3.0, 32], [11.0, 64]];
+
+const raised = (x, k) => {
+  if ((x > 0.0)) {
+    return (x * Math.pow(x, k));
+  }
+  return 0.0;
+};
+
+const NODES_of_displacement = 64;
+
+const from_edge = (shape, a, q, c, stop, k, steep = false) => {
+  let count, first, half, length, longest, ratio, second, smooth;
+  ratio = (c / q);
+  smooth = (v, sinh) => {
+    let z;
+    z = (c * sinh);
+    return ((shape(difference_root(a, z), z) * Math.cosh(v)) / (1.0 + Math.pow((ratio * sinh), 2)));
+  };
+  first = (v) => {
+    let sinh;
+    sinh = Math.sinh(v);
+    return (smooth(v, sinh) * Math.pow(((v > 0.0) ? (sinh / ((v > 0.0) ? v : 1.0)) : 1.0), k));
+  };
+  second = (v) => {
+    let sinh;
+    sinh = Math.sinh((half + v));
+    return (smooth((half + v), sinh) * Math.pow(sinh, k));
+  };
+  longest = (steep ? Infinity : Number(math.maximum((Number.isFinite(stop) ? stop : 0.0))));
+  for ([length, count] of EDGE) {
+    if ((longest <= length)) {
+      return ((raised(ratio, k) * raised(stop, k)) * weighted(first, stop, k, count));
+    }
+  }
+  half = (stop / 2.0);
+  return (raised(ratio, k) * ((raised(half, k) * weighted(first, half, k)) + math.integral(second, half, NODES_of_displacement)));
+};
+
+const punch_share = (r, a, k) => {
+  let q, stop;
+  q = difference_root(r, a);
+  stop = Math.asinh((a / q));
+  return (punch_scale(k) * from_edge(((s, z) => math.ones_like(z)), a, q, q, stop, k));
+};
+
+const STEEP = 16.0;
+
+const _from_edge_of_power = (shape, q, a, n, k) => {
+  return from_edge(shape, a, q, q, Math.asinh(((a / q) / 2.0)), k, Boolean((n > STEEP)));
+};
+
+const sine_over = (y) => {
+  let v2;
+  v2 = (y > 0.0);
+  if (v2) {
+    return (Math.sin(y) / (v2 ? y : 1.0));
+  }
+  return 1.0;
+};
+
+const kernel = (sine, cosine, ratio, k) => {
+  let v9;
+  v9 = (ratio * sine);
+  return (((ratio * Math.pow(ratio, k)) * (Math.pow(sine, k) * cosine)) / (1.0 + (v9 * v9)));
+};
+
+const SPLIT = 0.5235987755982988;
+
+const _to_axis = (q) => {
+  return math.full(math.repeated([1], math.ndim(q)), ((Math.PI / 2.0) - SPLIT));
+};
+
+const power_sag = (r, a, n, k) => {
+  let far, near, q, reach, smooth, weight, whole;
+  q = difference_root(r, a);
+  near = _from_edge_of_power(((s, z) => Math.exp(((n / 2.0) * Math.log1p((-Math.pow((z / a), 2)))))), q, a, n, k);
+  whole = Math.floor(n);
+  weight = (n - whole);
+  smooth = (x) => {
+    return ((Math.pow(sine_over(x), weight) * Math.pow(Math.sin(x), whole)) * kernel(Math.cos(x), Math.sin(x), (a / q), k));
+  };
+  reach = _to_axis(q);
+  far = ((Math.pow(reach, weight) * reach) * weighted(smooth, reach, weight));
+  return ((punch_scale(k) * Math.pow(a, n)) * (near + far));
+};
+
+const either = (condition, x, y) => {
+  if (Boolean(condition)) {
+    return x();
+  }
+  return (Boolean(condition) ? (condition ? x() : y()) : y());
+};
+
+const _displacement_2 = (r, d, a, h, n, k) => {
+  let complete, outside, value;
+  complete = ((_minimum_depth_2(a, h, n, k) * (1.0 - 1e-15)) <= d);
+  outside = () => {
+    return ((d * punch_share(r, a, k)) + ((h * power_sag(r, a, n, k)) / Math.pow(a, n)));
+  };
+  value = either((r > a), outside, (() => (d - _profile(r, a, h, n))));
+  return (complete ? value : NaN);
+};
+
+const displacement_of_concave_power = (r, d, a, h, n, k) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < n && n < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  if ((!(math.asarray(n) > (1.0 - math.asarray(k))))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (d >= 0.0)) ? ((r < Infinity) ? _displacement_2(r, d, a, h, n, k) : 0.0) : NaN);
+};
+
+const _stiffness_3 = (a, H, k) => {
+  return punch_stiffness(a, H, k);
+};
+
+const _stiffness_2 = (a, H, k, h = 1.0, n = 1.0) => {
+  if (((a > 1e-30) && (a < 1e+30) && (H > 1e-30) && (H < 1e+30) && (k > 1e-30) && (k < 1.0) && (h > 1e-30) && (h < 1e+30) && (n > 1e-30) && (n < 1e+30))) {
+    return (((2.0 * H) / (1.0 + k)) * ((a > 0.0) ? (a * Math.pow(a, k)) : 0.0));
+  }
+  return _stiffness_3(a, H, k);
+};
+
+const stiffness_of_concave_power = (a, h, n, H, k) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < n && n < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  if ((!(math.asarray(n) > (1.0 - math.asarray(k))))) {
+    return NaN;
+  }
+  return _stiffness_2(a, H, k);
+};
+
+const _minimum_force_2 = (a, h, n, H, k) => {
+  return (punch_stiffness(a, H, k) * (_minimum_depth_2(a, h, n, k) + (((h * power_factor(n, k)) * (1.0 + k)) / ((n + 1.0) + k))));
+};
+
+const _depth_from_force_2 = (F, a, h, n, H, k) => {
+  let complete;
+  complete = ((_minimum_force_2(a, h, n, H, k) * (1.0 - 1e-15)) <= F);
+  return (complete ? ((F / punch_stiffness(a, H, k)) - (((h * power_factor(n, k)) * (1.0 + k)) / ((n + 1.0) + k))) : NaN);
+};
+
+const depth_from_force_of_concave_power = (F, a, h, n, H, k) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < n && n < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  if ((!(math.asarray(n) > (1.0 - math.asarray(k))))) {
+    return NaN;
+  }
+  return ((F >= 0.0) ? _depth_from_force_2(F, a, h, n, H, k) : NaN);
+};
+
+const RULE_0_of_concave_power = math.rule([[3.0, 32], [20.0, 64], [Infinity, 128]]);
+
+const _zero_radius_3 = (a, h, n, k) => {
+  return ((a * ring_of_zero_pressure(n, k)) + (0.0 * h));
+};
+
+const _zero_radius_2 = (a, h, n, k) => {
+  let node, v10, v104, v105, v106, v107, v113, v122, v123, v125, v130, v131, v132, v134, v135, v137, v139, v141, v144, v145, v149, v151, v16, v165, v166, v167, v17, v181, v182, v184, v189, v190, v191, v193, v194, v196, v198, v200, v203, v204, v208, v210, v224, v225, v226, v240, v241, v243, v248, v249, v250, v252, v253, v255, v257, v259, v262, v263, v267, v269, v283, v284, v285, v29, v299, v300, v302, v307, v308, v309, v311, v312, v314, v316, v318, v321, v322, v326, v328, v342, v343, v344, v361, v42, v49, v5, v51, v53, v55, v61, v63, v64, v65, v66, v68, v69, v7, v71, v73, v76, v79, v8, v80, v84, v86, v88, v99, weight;
+  if (((a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (n > 1e-30) && (n < 1e+30) && (k > 1e-30) && (k < 1.0))) {
+    v5 = (n > 2.0);
+    if (v5) {
+      v7 = (v5 ? n : 3.0);
+      v8 = (v7 - 2.0);
+      v10 = (1.0 - k);
+      v16 = (1.0 + k);
+      v17 = ((1.2732395447351628 * Math.sin((1.5707963267948966 * v10))) / v16);
+      v29 = (0.36 + (0.4 * k));
+      v42 = (Math.log1p(((v17 + (((((2.0 * Math.expm1((((-0.5) * v10) * Math.log((v10 / 4.0))))) - v17) * (1.0 + v29)) * v8) / (v8 + (2.0 * (((v29 > 0.0) || (v29 !== v29)) ? v29 : 0.0))))) / v8)) / v10);
+      if ((v8 < 2.0)) {
+        v49 = (Math.log(((v8 * (v8 + 2.0)) / (2.0 * v10))) / v8);
+        v51 = (((v42 > v49) || (v42 !== v42)) ? v42 : v49);
+      } else {
+        v51 = v42;
+      }
+      v53 = ((-2.0) * v51);
+      v55 = (-Math.expm1(v53));
+      v61 = ((v7 - 1.0) + k);
+      v63 = (v61 - (v7 * Math.exp(((-2.0) * (((v51 < 300.0) || (v51 !== v51)) ? v51 : 300.0)))));
+      v64 = (((v63 > v16) || (v63 !== v63)) ? v63 : v16);
+      v65 = (v10 * v51);
+      v66 = (v8 + 1.0);
+      v68 = (1.0 / (v66 * v51));
+      v84 = (v8 * v51);
+      v88 = (0.5 * v8);
+      v99 = ((k - 1.0) / 2.0);
+      v105 = [];
+      for ([node, weight] of RULE_0_of_concave_power((1.0 / v68))) {
+        v69 = (node * 1.0);
+        v71 = ((v69 * v69) * v69);
+        v73 = ((v71 * v71) * v69);
+        v76 = (v73 * v69);
+        v79 = (-Math.expm1((v53 * v76)));
+        v80 = (1.0 - v76);
+        v86 = Math.expm1((v84 * v76));
+        v104 = ((8.0 * v73) * (((Math.exp((v65 * v80)) * Math.pow((v79 / v55), v99)) * (v86 - (((v88 * (v86 + 1.0)) * v79) * ((-Math.expm1((v53 * v80))) / v55)))) / v79));
+        v105.push((weight * v104));
+      }
+      v105 = (math.fsum(v105) * 1.0);
+      v106 = (v65 * v105);
+      v107 = (v10 * v16);
+      v113 = (2.0 * v61);
+      v122 = (v51 - ((Math.log(v106) * v106) / (((v107 * Math.exp(v84)) / (v55 * v64)) + ((v106 - 1.0) * ((v113 / v64) - (v16 / v55))))));
+      v123 = ((-2.0) * v122);
+      v125 = (-Math.expm1(v123));
+      v130 = (v61 - (v7 * Math.exp(((-2.0) * (((v122 < 300.0) || (v122 !== v122)) ? v122 : 300.0)))));
+      v131 = (((v130 > v16) || (v130 !== v130)) ? v130 : v16);
+      v132 = (v10 * v122);
+      v134 = (1.0 / (v66 * v122));
+      v149 = (v8 * v122);
+      v166 = [];
+      for ([node, weight] of RULE_0_of_concave_power((1.0 / v134))) {
+        v135 = (node * 1.0);
+        v137 = ((v135 * v135) * v135);
+        v139 = ((v137 * v137) * v135);
+        v141 = (v139 * v135);
+        v144 = (-Math.expm1((v123 * v141)));
+        v145 = (1.0 - v141);
+        v151 = Math.expm1((v149 * v141));
+        v165 = ((8.0 * v139) * (((Math.exp((v132 * v145)) * Math.pow((v144 / v125), v99)) * (v151 - (((v88 * (v151 + 1.0)) * v144) * ((-Math.expm1((v123 * v145))) / v125)))) / v144));
+        v166.push((weight * v165));
+      }
+      v166 = (math.fsum(v166) * 1.0);
+      v167 = (v132 * v166);
+      v181 = (v122 - ((Math.log(v167) * v167) / (((v107 * Math.exp(v149)) / (v125 * v131)) + ((v167 - 1.0) * ((v113 / v131) - (v16 / v125))))));
+      v182 = ((-2.0) * v181);
+      v184 = (-Math.expm1(v182));
+      v189 = (v61 - (v7 * Math.exp(((-2.0) * (((v181 < 300.0) || (v181 !== v181)) ? v181 : 300.0)))));
+      v190 = (((v189 > v16) || (v189 !== v189)) ? v189 : v16);
+      v191 = (v10 * v181);
+      v193 = (1.0 / (v66 * v181));
+      v208 = (v8 * v181);
+      v225 = [];
+      for ([node, weight] of RULE_0_of_concave_power((1.0 / v193))) {
+        v194 = (node * 1.0);
+        v196 = ((v194 * v194) * v194);
+        v198 = ((v196 * v196) * v194);
+        v200 = (v198 * v194);
+        v203 = (-Math.expm1((v182 * v200)));
+        v204 = (1.0 - v200);
+        v210 = Math.expm1((v208 * v200));
+        v224 = ((8.0 * v198) * (((Math.exp((v191 * v204)) * Math.pow((v203 / v184), v99)) * (v210 - (((v88 * (v210 + 1.0)) * v203) * ((-Math.expm1((v182 * v204))) / v184)))) / v203));
+        v225.push((weight * v224));
+      }
+      v225 = (math.fsum(v225) * 1.0);
+      v226 = (v191 * v225);
+      v240 = (v181 - ((Math.log(v226) * v226) / (((v107 * Math.exp(v208)) / (v184 * v190)) + ((v226 - 1.0) * ((v113 / v190) - (v16 / v184))))));
+      v241 = ((-2.0) * v240);
+      v243 = (-Math.expm1(v241));
+      v248 = (v61 - (v7 * Math.exp(((-2.0) * (((v240 < 300.0) || (v240 !== v240)) ? v240 : 300.0)))));
+      v249 = (((v248 > v16) || (v248 !== v248)) ? v248 : v16);
+      v250 = (v10 * v240);
+      v252 = (1.0 / (v66 * v240));
+      v267 = (v8 * v240);
+      v284 = [];
+      for ([node, weight] of RULE_0_of_concave_power((1.0 / v252))) {
+        v253 = (node * 1.0);
+        v255 = ((v253 * v253) * v253);
+        v257 = ((v255 * v255) * v253);
+        v259 = (v257 * v253);
+        v262 = (-Math.expm1((v241 * v259)));
+        v263 = (1.0 - v259);
+        v269 = Math.expm1((v267 * v259));
+        v283 = ((8.0 * v257) * (((Math.exp((v250 * v263)) * Math.pow((v262 / v243), v99)) * (v269 - (((v88 * (v269 + 1.0)) * v262) * ((-Math.expm1((v241 * v263))) / v243)))) / v262));
+        v284.push((weight * v283));
+      }
+      v284 = (math.fsum(v284) * 1.0);
+      v285 = (v250 * v284);
+      v299 = (v240 - ((Math.log(v285) * v285) / (((v107 * Math.exp(v267)) / (v243 * v249)) + ((v285 - 1.0) * ((v113 / v249) - (v16 / v243))))));
+      v300 = ((-2.0) * v299);
+      v302 = (-Math.expm1(v300));
+      v307 = (v61 - (v7 * Math.exp(((-2.0) * (((v299 < 300.0) || (v299 !== v299)) ? v299 : 300.0)))));
+      v308 = (((v307 > v16) || (v307 !== v307)) ? v307 : v16);
+      v309 = (v10 * v299);
+      v311 = (1.0 / (v66 * v299));
+      v326 = (v8 * v299);
+      v343 = [];
+      for ([node, weight] of RULE_0_of_concave_power((1.0 / v311))) {
+        v312 = (node * 1.0);
+        v314 = ((v312 * v312) * v312);
+        v316 = ((v314 * v314) * v312);
+        v318 = (v316 * v312);
+        v321 = (-Math.expm1((v300 * v318)));
+        v322 = (1.0 - v318);
+        v328 = Math.expm1((v326 * v318));
+        v342 = ((8.0 * v316) * (((Math.exp((v309 * v322)) * Math.pow((v321 / v302), v99)) * (v328 - (((v88 * (v328 + 1.0)) * v321) * ((-Math.expm1((v300 * v322))) / v302)))) / v321));
+        v343.push((weight * v342));
+      }
+      v343 = (math.fsum(v343) * 1.0);
+      v344 = (v309 * v343);
+      v361 = Math.exp((-(v299 - ((Math.log(v344) * v344) / (((v107 * Math.exp(v326)) / (v302 * v308)) + ((v344 - 1.0) * ((v113 / v308) - (v16 / v302))))))));
+    } else {
+      v361 = 0.0;
+    }
+    return ((a * v361) + (0.0 * h));
+  }
+  return _zero_radius_3(a, h, n, k);
+};
+
+const zero_radius_of_concave_power = (a, h, n, k) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < n && n < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  if ((!(math.asarray(n) > (1.0 - math.asarray(k))))) {
+    return NaN;
+  }
+  return _zero_radius_2(a, h, n, k);
+};
+
+const minimum_depth_of_concave_power = (a, h, n, k) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < n && n < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  if ((!(math.asarray(n) > (1.0 - math.asarray(k))))) {
+    return NaN;
+  }
+  return _minimum_depth_2(a, h, n, k);
+};
+
+const minimum_force_of_concave_power = (a, h, n, H, k) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < n && n < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  if ((!(math.asarray(n) > (1.0 - math.asarray(k))))) {
+    return NaN;
+  }
+  return _minimum_force_2(a, h, n, H, k);
+};
+
+const graded_retraction = (a, H, k, dgamma) => {
+  if ((a > 0.0)) {
+    return ((math.sqrt(((6.283185307179586 * dgamma) / H)) * math.sqrt(a)) * math.sqrt(Math.pow(a, (-k))));
+  }
+  return 0.0;
+};
+
+const retraction_of_concave_power = (a, H, k, dgamma) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return graded_retraction(a, H, k, dgamma);
+};
+
+const _pull_off_depth_2 = (a, h, n, H, k, dgamma) => {
+  return (((-h) * power_factor(n, k)) - graded_retraction(a, H, k, dgamma));
+};
+
+const _pull_off_force_2 = (a, h, n, H, k, dgamma) => {
+  return ((-punch_stiffness(a, H, k)) * ((((h * power_factor(n, k)) * n) / ((n + 1.0) + k)) + graded_retraction(a, H, k, dgamma)));
+};
+
+const pull_off_of_concave_power = (control = 'force', a, h, n, H, k, dgamma) => {
+  let depth, force;
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < n && n < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  if ((!(math.asarray(n) > (1.0 - math.asarray(k))))) {
+    return NaN;
+  }
+  depth = _pull_off_depth_2(a, h, n, H, k, dgamma);
+  force = _pull_off_force_2(a, h, n, H, k, dgamma);
+  return PullOff(((depth * 0.0) + a), force, depth);
+};
+
+const RULE_0_2 = math.rule([[3.0, 32], [20.0, 64], [Infinity, 128]]);
+
+const relaxation_maxwell = (t, E, tau) => {
+  return (E * Math.exp(((-t) / tau)));
+};
+
+const _step_force_maxwell_of_concave_power = (t, d, a, h, n, E, tau) => {
+  return (relaxation_maxwell(t, E, tau) * _force(d, a, h, n, 1.0));
+};
+
+const _step_force_maxwell = (t, d, a, h, n, E, tau) => {
+  let node, v100, v107, v109, v110, v111, v113, v114, v116, v118, v121, v124, v125, v129, v131, v132, v14, v147, v148, v149, v154, v16, v163, v164, v166, v171, v172, v174, v175, v177, v179, v181, v184, v185, v189, v191, v20, v205, v206, v207, v220, v221, v223, v228, v229, v231, v232, v234, v236, v238, v241, v242, v246, v248, v262, v263, v264, v277, v278, v280, v285, v286, v288, v289, v291, v293, v295, v298, v299, v303, v305, v319, v320, v321, v334, v335, v337, v34, v342, v343, v345, v346, v348, v350, v352, v355, v356, v360, v362, v376, v377, v378, v395, v399, v75, v76, v78, v79, v88, v94, v96, v98, weight;
+  if (((t > 1e-30) && (t < 1e+30) && (d > 1e-30) && (d < 1e+30) && (a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (n > 1e-30) && (n < 1e+30) && (E > 1e-30) && (E < 1e+30) && (tau > 1e-30) && (tau < 1e+30))) {
+    v14 = ((n / 2.0) + 0.5);
+    v16 = (v14 + 1.75);
+    v20 = ((v14 + 0.5) * (v14 + 1.5));
+    v34 = (1.0 / (v16 * v16));
+    v75 = ((((v14 < 1.0) ? ((v14 * (v14 + 1.0)) / v20) : (1.0 - ((v14 + 0.75) / v20))) * Math.sqrt(v16)) * (1.0 + (v34 * (((((((((((((0.01524698625788054 * v34) + 0.5334320651111477) * v34) + 2.250488865813539) * v34) + 2.8612106440066865) * v34) + 1.3794681629043655) * v34) + 0.2596058532893223) * v34) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v34) + 49.328555418276075) * v34) + 167.28648538571198) * v34) + 195.37226190335065) * v34) + 90.69722535867314) * v34) + 16.763212110504565) * v34) + 1.0)))));
+    v76 = (n > 2.0);
+    if (v76) {
+      v78 = (v76 ? n : 3.0);
+      v79 = (v78 - 2.0);
+      v88 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v79) / (v79 + 0.72))) / v79));
+      if ((v79 < 2.0)) {
+        v94 = (Math.log(((v79 * (v79 + 2.0)) / 2.0)) / v79);
+        v96 = (((v88 > v94) || (v88 !== v88)) ? v88 : v94);
+      } else {
+        v96 = v88;
+      }
+      v98 = ((-2.0) * v96);
+      v100 = (-Math.expm1(v98));
+      v107 = ((v78 - 1.0) + 0.0);
+      v109 = (v107 - (v78 * Math.exp(((-2.0) * (((v96 < 300.0) || (v96 !== v96)) ? v96 : 300.0)))));
+      v110 = (((v109 > 1.0) || (v109 !== v109)) ? v109 : 1.0);
+      v111 = (v79 + 1.0);
+      v113 = (1.0 / (v111 * v96));
+      v129 = (v79 * v96);
+      v132 = (0.5 * v79);
+      v148 = [];
+      for ([node, weight] of RULE_0_2((1.0 / v113))) {
+        v114 = (node * 1.0);
+        v116 = ((v114 * v114) * v114);
+        v118 = ((v116 * v116) * v114);
+        v121 = (v118 * v114);
+        v124 = (-Math.expm1((v98 * v121)));
+        v125 = (1.0 - v121);
+        v131 = Math.expm1((v129 * v121));
+        v147 = ((8.0 * v118) * (((Math.exp((v96 * v125)) * Math.pow((v124 / v100), (-0.5))) * (v131 - (((v132 * (v131 + 1.0)) * v124) * ((-Math.expm1((v98 * v125))) / v100)))) / v124));
+        v148.push((weight * v147));
+      }
+      v148 = (math.fsum(v148) * 1.0);
+      v149 = (v96 * v148);
+      v154 = (2.0 * v107);
+      v163 = (v96 - ((Math.log(v149) * v149) / ((Math.exp(v129) / (v100 * v110)) + ((v149 - 1.0) * ((v154 / v110) - (1.0 / v100))))));
+      v164 = ((-2.0) * v163);
+      v166 = (-Math.expm1(v164));
+      v171 = (v107 - (v78 * Math.exp(((-2.0) * (((v163 < 300.0) || (v163 !== v163)) ? v163 : 300.0)))));
+      v172 = (((v171 > 1.0) || (v171 !== v171)) ? v171 : 1.0);
+      v174 = (1.0 / (v111 * v163));
+      v189 = (v79 * v163);
+      v206 = [];
+      for ([node, weight] of RULE_0_2((1.0 / v174))) {
+        v175 = (node * 1.0);
+        v177 = ((v175 * v175) * v175);
+        v179 = ((v177 * v177) * v175);
+        v181 = (v179 * v175);
+        v184 = (-Math.expm1((v164 * v181)));
+        v185 = (1.0 - v181);
+        v191 = Math.expm1((v189 * v181));
+        v205 = ((8.0 * v179) * (((Math.exp((v163 * v185)) * Math.pow((v184 / v166), (-0.5))) * (v191 - (((v132 * (v191 + 1.0)) * v184) * ((-Math.expm1((v164 * v185))) / v166)))) / v184));
+        v206.push((weight * v205));
+      }
+      v206 = (math.fsum(v206) * 1.0);
+      v207 = (v163 * v206);
+      v220 = (v163 - ((Math.log(v207) * v207) / ((Math.exp(v189) / (v166 * v172)) + ((v207 - 1.0) * ((v154 / v172) - (1.0 / v166))))));
+      v221 = ((-2.0) * v220);
+      v223 = (-Math.expm1(v221));
+      v228 = (v107 - (v78 * Math.exp(((-2.0) * (((v220 < 300.0) || (v220 !== v220)) ? v220 : 300.0)))));
+      v229 = (((v228 > 1.0) || (v228 !== v228)) ? v228 : 1.0);
+      v231 = (1.0 / (v111 * v220));
+      v246 = (v79 * v220);
+      v263 = [];
+      for ([node, weight] of RULE_0_2((1.0 / v231))) {
+        v232 = (node * 1.0);
+        v234 = ((v232 * v232) * v232);
+        v236 = ((v234 * v234) * v232);
+        v238 = (v236 * v232);
+        v241 = (-Math.expm1((v221 * v238)));
+        v242 = (1.0 - v238);
+        v248 = Math.expm1((v246 * v238));
+        v262 = ((8.0 * v236) * (((Math.exp((v220 * v242)) * Math.pow((v241 / v223), (-0.5))) * (v248 - (((v132 * (v248 + 1.0)) * v241) * ((-Math.expm1((v221 * v242))) / v223)))) / v241));
+        v263.push((weight * v262));
+      }
+      v263 = (math.fsum(v263) * 1.0);
+      v264 = (v220 * v263);
+      v277 = (v220 - ((Math.log(v264) * v264) / ((Math.exp(v246) / (v223 * v229)) + ((v264 - 1.0) * ((v154 / v229) - (1.0 / v223))))));
+      v278 = ((-2.0) * v277);
+      v280 = (-Math.expm1(v278));
+      v285 = (v107 - (v78 * Math.exp(((-2.0) * (((v277 < 300.0) || (v277 !== v277)) ? v277 : 300.0)))));
+      v286 = (((v285 > 1.0) || (v285 !== v285)) ? v285 : 1.0);
+      v288 = (1.0 / (v111 * v277));
+      v303 = (v79 * v277);
+      v320 = [];
+      for ([node, weight] of RULE_0_2((1.0 / v288))) {
+        v289 = (node * 1.0);
+        v291 = ((v289 * v289) * v289);
+        v293 = ((v291 * v291) * v289);
+        v295 = (v293 * v289);
+        v298 = (-Math.expm1((v278 * v295)));
+        v299 = (1.0 - v295);
+        v305 = Math.expm1((v303 * v295));
+        v319 = ((8.0 * v293) * (((Math.exp((v277 * v299)) * Math.pow((v298 / v280), (-0.5))) * (v305 - (((v132 * (v305 + 1.0)) * v298) * ((-Math.expm1((v278 * v299))) / v280)))) / v298));
+        v320.push((weight * v319));
+      }
+      v320 = (math.fsum(v320) * 1.0);
+      v321 = (v277 * v320);
+      v334 = (v277 - ((Math.log(v321) * v321) / ((Math.exp(v303) / (v280 * v286)) + ((v321 - 1.0) * ((v154 / v286) - (1.0 / v280))))));
+      v335 = ((-2.0) * v334);
+      v337 = (-Math.expm1(v335));
+      v342 = (v107 - (v78 * Math.exp(((-2.0) * (((v334 < 300.0) || (v334 !== v334)) ? v334 : 300.0)))));
+      v343 = (((v342 > 1.0) || (v342 !== v342)) ? v342 : 1.0);
+      v345 = (1.0 / (v111 * v334));
+      v360 = (v79 * v334);
+      v377 = [];
+      for ([node, weight] of RULE_0_2((1.0 / v345))) {
+        v346 = (node * 1.0);
+        v348 = ((v346 * v346) * v346);
+        v350 = ((v348 * v348) * v346);
+        v352 = (v350 * v346);
+        v355 = (-Math.expm1((v335 * v352)));
+        v356 = (1.0 - v352);
+        v362 = Math.expm1((v360 * v352));
+        v376 = ((8.0 * v350) * (((Math.exp((v334 * v356)) * Math.pow((v355 / v337), (-0.5))) * (v362 - (((v132 * (v362 + 1.0)) * v355) * ((-Math.expm1((v335 * v356))) / v337)))) / v355));
+        v377.push((weight * v376));
+      }
+      v377 = (math.fsum(v377) * 1.0);
+      v378 = (v334 * v377);
+      v395 = (-Math.expm1(((-2.0) * (v334 - ((Math.log(v378) * v378) / ((Math.exp(v360) / (v337 * v343)) + ((v378 - 1.0) * ((v154 / v343) - (1.0 / v337)))))))));
+    } else {
+      v395 = 1.0;
+    }
+    v399 = (1.7724538509055159 * h);
+    return ((E * Math.exp(((-t) / tau))) * (((((v399 * v75) / ((n * v395) - 1.0)) * 0.999999999999999) <= d) ? ((2.0 * a) * (d + ((v399 / (n + 1.0)) * v75))) : NaN));
+  }
+  return _step_force_maxwell_of_concave_power(t, d, a, h, n, E, tau);
+};
+
+const step_force_maxwell = (t, d, a, h, n, E, tau) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < n && n < Infinity) && (0.0 <= d && d < Infinity) && (0.0 < E && E < Infinity) && (0.0 < tau && tau < Infinity) && (n > 1)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_force_maxwell(t, d, a, h, n, E, tau) : NaN);
+};
+
+const relaxation_kelvin_voigt = (t, E, eta) => {
+  if ((t > 0.0)) {
+    return E;
+  }
+  return Infinity;
+};
+
+const _step_force_kelvin_voigt_of_concave_power = (t, d, a, h, n, E, eta) => {
+  return (relaxation_kelvin_voigt(t, E, eta) * _force(d, a, h, n, 1.0));
+};
+
+const _step_force_kelvin_voigt = (t, d, a, h, n, E, eta) => {
+  let node, v100, v106, v108, v109, v110, v112, v113, v115, v117, v120, v123, v124, v128, v130, v131, v14, v146, v147, v148, v153, v16, v162, v163, v165, v170, v171, v173, v174, v176, v178, v180, v183, v184, v188, v190, v20, v204, v205, v206, v219, v220, v222, v227, v228, v230, v231, v233, v235, v237, v240, v241, v245, v247, v261, v262, v263, v276, v277, v279, v284, v285, v287, v288, v290, v292, v294, v297, v298, v302, v304, v318, v319, v320, v333, v334, v336, v34, v341, v342, v344, v345, v347, v349, v351, v354, v355, v359, v361, v375, v376, v377, v394, v398, v75, v76, v78, v79, v88, v94, v96, v98, weight;
+  if (((t > 1e-30) && (t < 1e+30) && (d > 1e-30) && (d < 1e+30) && (a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (n > 1e-30) && (n < 1e+30) && (E > 1e-30) && (E < 1e+30) && (eta > 1e-30) && (eta < 1e+30))) {
+    v14 = ((n / 2.0) + 0.5);
+    v16 = (v14 + 1.75);
+    v20 = ((v14 + 0.5) * (v14 + 1.5));
+    v34 = (1.0 / (v16 * v16));
+    v75 = ((((v14 < 1.0) ? ((v14 * (v14 + 1.0)) / v20) : (1.0 - ((v14 + 0.75) / v20))) * Math.sqrt(v16)) * (1.0 + (v34 * (((((((((((((0.01524698625788054 * v34) + 0.5334320651111477) * v34) + 2.250488865813539) * v34) + 2.8612106440066865) * v34) + 1.3794681629043655) * v34) + 0.2596058532893223) * v34) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v34) + 49.328555418276075) * v34) + 167.28648538571198) * v34) + 195.37226190335065) * v34) + 90.69722535867314) * v34) + 16.763212110504565) * v34) + 1.0)))));
+    v76 = (n > 2.0);
+    if (v76) {
+      v78 = (v76 ? n : 3.0);
+      v79 = (v78 - 2.0);
+      v88 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v79) / (v79 + 0.72))) / v79));
+      if ((v79 < 2.0)) {
+        v94 = (Math.log(((v79 * (v79 + 2.0)) / 2.0)) / v79);
+        v96 = (((v88 > v94) || (v88 !== v88)) ? v88 : v94);
+      } else {
+        v96 = v88;
+      }
+      v98 = ((-2.0) * v96);
+      v100 = (-Math.expm1(v98));
+      v106 = ((v78 - 1.0) + 0.0);
+      v108 = (v106 - (v78 * Math.exp(((-2.0) * (((v96 < 300.0) || (v96 !== v96)) ? v96 : 300.0)))));
+      v109 = (((v108 > 1.0) || (v108 !== v108)) ? v108 : 1.0);
+      v110 = (v79 + 1.0);
+      v112 = (1.0 / (v110 * v96));
+      v128 = (v79 * v96);
+      v131 = (0.5 * v79);
+      v147 = [];
+      for ([node, weight] of RULE_0_2((1.0 / v112))) {
+        v113 = (node * 1.0);
+        v115 = ((v113 * v113) * v113);
+        v117 = ((v115 * v115) * v113);
+        v120 = (v117 * v113);
+        v123 = (-Math.expm1((v98 * v120)));
+        v124 = (1.0 - v120);
+        v130 = Math.expm1((v128 * v120));
+        v146 = ((8.0 * v117) * (((Math.exp((v96 * v124)) * Math.pow((v123 / v100), (-0.5))) * (v130 - (((v131 * (v130 + 1.0)) * v123) * ((-Math.expm1((v98 * v124))) / v100)))) / v123));
+        v147.push((weight * v146));
+      }
+      v147 = (math.fsum(v147) * 1.0);
+      v148 = (v96 * v147);
+      v153 = (2.0 * v106);
+      v162 = (v96 - ((Math.log(v148) * v148) / ((Math.exp(v128) / (v100 * v109)) + ((v148 - 1.0) * ((v153 / v109) - (1.0 / v100))))));
+      v163 = ((-2.0) * v162);
+      v165 = (-Math.expm1(v163));
+      v170 = (v106 - (v78 * Math.exp(((-2.0) * (((v162 < 300.0) || (v162 !== v162)) ? v162 : 300.0)))));
+      v171 = (((v170 > 1.0) || (v170 !== v170)) ? v170 : 1.0);
+      v173 = (1.0 / (v110 * v162));
+      v188 = (v79 * v162);
+      v205 = [];
+      for ([node, weight] of RULE_0_2((1.0 / v173))) {
+        v174 = (node * 1.0);
+        v176 = ((v174 * v174) * v174);
+        v178 = ((v176 * v176) * v174);
+        v180 = (v178 * v174);
+        v183 = (-Math.expm1((v163 * v180)));
+        v184 = (1.0 - v180);
+        v190 = Math.expm1((v188 * v180));
+        v204 = ((8.0 * v178) * (((Math.exp((v162 * v184)) * Math.pow((v183 / v165), (-0.5))) * (v190 - (((v131 * (v190 + 1.0)) * v183) * ((-Math.expm1((v163 * v184))) / v165)))) / v183));
+        v205.push((weight * v204));
+      }
+      v205 = (math.fsum(v205) * 1.0);
+      v206 = (v162 * v205);
+      v219 = (v162 - ((Math.log(v206) * v206) / ((Math.exp(v188) / (v165 * v171)) + ((v206 - 1.0) * ((v153 / v171) - (1.0 / v165))))));
+      v220 = ((-2.0) * v219);
+      v222 = (-Math.expm1(v220));
+      v227 = (v106 - (v78 * Math.exp(((-2.0) * (((v219 < 300.0) || (v219 !== v219)) ? v219 : 300.0)))));
+      v228 = (((v227 > 1.0) || (v227 !== v227)) ? v227 : 1.0);
+      v230 = (1.0 / (v110 * v219));
+      v245 = (v79 * v219);
+      v262 = [];
+      for ([node, weight] of RULE_0_2((1.0 / v230))) {
+        v231 = (node * 1.0);
+        v233 = ((v231 * v231) * v231);
+        v235 = ((v233 * v233) * v231);
+        v237 = (v235 * v231);
+        v240 = (-Math.expm1((v220 * v237)));
+        v241 = (1.0 - v237);
+        v247 = Math.expm1((v245 * v237));
+        v261 = ((8.0 * v235) * (((Math.exp((v219 * v241)) * Math.pow((v240 / v222), (-0.5))) * (v247 - (((v131 * (v247 + 1.0)) * v240) * ((-Math.expm1((v220 * v241))) / v222)))) / v240));
+        v262.push((weight * v261));
+      }
+      v262 = (math.fsum(v262) * 1.0);
+      v263 = (v219 * v262);
+      v276 = (v219 - ((Math.log(v263) * v263) / ((Math.exp(v245) / (v222 * v228)) + ((v263 - 1.0) * ((v153 / v228) - (1.0 / v222))))));
+      v277 = ((-2.0) * v276);
+      v279 = (-Math.expm1(v277));
+      v284 = (v106 - (v78 * Math.exp(((-2.0) * (((v276 < 300.0) || (v276 !== v276)) ? v276 : 300.0)))));
+      v285 = (((v284 > 1.0) || (v284 !== v284)) ? v284 : 1.0);
+      v287 = (1.0 / (v110 * v276));
+      v302 = (v79 * v276);
+      v319 = [];
+      for ([node, weight] of RULE_0_2((1.0 / v287))) {
+        v288 = (node * 1.0);
+        v290 = ((v288 * v288) * v288);
+        v292 = ((v290 * v290) * v288);
+        v294 = (v292 * v288);
+        v297 = (-Math.expm1((v277 * v294)));
+        v298 = (1.0 - v294);
+        v304 = Math.expm1((v302 * v294));
+        v318 = ((8.0 * v292) * (((Math.exp((v276 * v298)) * Math.pow((v297 / v279), (-0.5))) * (v304 - (((v131 * (v304 + 1.0)) * v297) * ((-Math.expm1((v277 * v298))) / v279)))) / v297));
+        v319.push((weight * v318));
+      }
+      v319 = (math.fsum(v319) * 1.0);
+      v320 = (v276 * v319);
+      v333 = (v276 - ((Math.log(v320) * v320) / ((Math.exp(v302) / (v279 * v285)) + ((v320 - 1.0) * ((v153 / v285) - (1.0 / v279))))));
+      v334 = ((-2.0) * v333);
+      v336 = (-Math.expm1(v334));
+      v341 = (v106 - (v78 * Math.exp(((-2.0) * (((v333 < 300.0) || (v333 !== v333)) ? v333 : 300.0)))));
+      v342 = (((v341 > 1.0) || (v341 !== v341)) ? v341 : 1.0);
+      v344 = (1.0 / (v110 * v333));
+      v359 = (v79 * v333);
+      v376 = [];
+      for ([node, weight] of RULE_0_2((1.0 / v344))) {
+        v345 = (node * 1.0);
+        v347 = ((v345 * v345) * v345);
+        v349 = ((v347 * v347) * v345);
+        v351 = (v349 * v345);
+        v354 = (-Math.expm1((v334 * v351)));
+        v355 = (1.0 - v351);
+        v361 = Math.expm1((v359 * v351));
+        v375 = ((8.0 * v349) * (((Math.exp((v333 * v355)) * Math.pow((v354 / v336), (-0.5))) * (v361 - (((v131 * (v361 + 1.0)) * v354) * ((-Math.expm1((v334 * v355))) / v336)))) / v354));
+        v376.push((weight * v375));
+      }
+      v376 = (math.fsum(v376) * 1.0);
+      v377 = (v333 * v376);
+      v394 = (-Math.expm1(((-2.0) * (v333 - ((Math.log(v377) * v377) / ((Math.exp(v359) / (v336 * v342)) + ((v377 - 1.0) * ((v153 / v342) - (1.0 / v336)))))))));
+    } else {
+      v394 = 1.0;
+    }
+    v398 = (1.7724538509055159 * h);
+    return (((t > 0.0) ? E : Infinity) * (((((v398 * v75) / ((n * v394) - 1.0)) * 0.999999999999999) <= d) ? ((2.0 * a) * (d + ((v398 / (n + 1.0)) * v75))) : NaN));
+  }
+  return _step_force_kelvin_voigt_of_concave_power(t, d, a, h, n, E, eta);
+};
+
+const step_force_kelvin_voigt = (t, d, a, h, n, E, eta) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < n && n < Infinity) && (0.0 <= d && d < Infinity) && (0.0 < E && E < Infinity) && (0.0 < eta && eta < Infinity) && (n > 1)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_force_kelvin_voigt(t, d, a, h, n, E, eta) : NaN);
+};
+
+const relaxation_standard_solid = (t, E_inf, E_1, tau) => {
+  return (E_inf + (E_1 * Math.exp(((-t) / tau))));
+};
+
+const _step_force_standard_solid_of_concave_power = (t, d, a, h, n, E_inf, E_1, tau) => {
+  return (relaxation_standard_solid(t, E_inf, E_1, tau) * _force(d, a, h, n, 1.0));
+};
+
+const _step_force_standard_solid = (t, d, a, h, n, E_inf, E_1, tau) => {
+  let node, v100, v102, v109, v111, v112, v113, v115, v116, v118, v120, v123, v126, v127, v131, v133, v134, v149, v150, v151, v156, v16, v165, v166, v168, v173, v174, v176, v177, v179, v18, v181, v183, v186, v187, v191, v193, v207, v208, v209, v22, v222, v223, v225, v230, v231, v233, v234, v236, v238, v240, v243, v244, v248, v250, v264, v265, v266, v279, v280, v282, v287, v288, v290, v291, v293, v295, v297, v300, v301, v305, v307, v321, v322, v323, v336, v337, v339, v344, v345, v347, v348, v350, v352, v354, v357, v358, v36, v362, v364, v378, v379, v380, v397, v401, v77, v78, v80, v81, v90, v96, v98, weight;
+  if (((t > 1e-30) && (t < 1e+30) && (d > 1e-30) && (d < 1e+30) && (a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (n > 1e-30) && (n < 1e+30) && (E_inf > 1e-30) && (E_inf < 1e+30) && (E_1 > 1e-30) && (E_1 < 1e+30) && (tau > 1e-30) && (tau < 1e+30))) {
+    v16 = ((n / 2.0) + 0.5);
+    v18 = (v16 + 1.75);
+    v22 = ((v16 + 0.5) * (v16 + 1.5));
+    v36 = (1.0 / (v18 * v18));
+    v77 = ((((v16 < 1.0) ? ((v16 * (v16 + 1.0)) / v22) : (1.0 - ((v16 + 0.75) / v22))) * Math.sqrt(v18)) * (1.0 + (v36 * (((((((((((((0.01524698625788054 * v36) + 0.5334320651111477) * v36) + 2.250488865813539) * v36) + 2.8612106440066865) * v36) + 1.3794681629043655) * v36) + 0.2596058532893223) * v36) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v36) + 49.328555418276075) * v36) + 167.28648538571198) * v36) + 195.37226190335065) * v36) + 90.69722535867314) * v36) + 16.763212110504565) * v36) + 1.0)))));
+    v78 = (n > 2.0);
+    if (v78) {
+      v80 = (v78 ? n : 3.0);
+      v81 = (v80 - 2.0);
+      v90 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v81) / (v81 + 0.72))) / v81));
+      if ((v81 < 2.0)) {
+        v96 = (Math.log(((v81 * (v81 + 2.0)) / 2.0)) / v81);
+        v98 = (((v90 > v96) || (v90 !== v90)) ? v90 : v96);
+      } else {
+        v98 = v90;
+      }
+      v100 = ((-2.0) * v98);
+      v102 = (-Math.expm1(v100));
+      v109 = ((v80 - 1.0) + 0.0);
+      v111 = (v109 - (v80 * Math.exp(((-2.0) * (((v98 < 300.0) || (v98 !== v98)) ? v98 : 300.0)))));
+      v112 = (((v111 > 1.0) || (v111 !== v111)) ? v111 : 1.0);
+      v113 = (v81 + 1.0);
+      v115 = (1.0 / (v113 * v98));
+      v131 = (v81 * v98);
+      v134 = (0.5 * v81);
+      v150 = [];
+      for ([node, weight] of RULE_0_2((1.0 / v115))) {
+        v116 = (node * 1.0);
+        v118 = ((v116 * v116) * v116);
+        v120 = ((v118 * v118) * v116);
+        v123 = (v120 * v116);
+        v126 = (-Math.expm1((v100 * v123)));
+        v127 = (1.0 - v123);
+        v133 = Math.expm1((v131 * v123));
+        v149 = ((8.0 * v120) * (((Math.exp((v98 * v127)) * Math.pow((v126 / v102), (-0.5))) * (v133 - (((v134 * (v133 + 1.0)) * v126) * ((-Math.expm1((v100 * v127))) / v102)))) / v126));
+        v150.push((weight * v149));
+      }
+      v150 = (math.fsum(v150) * 1.0);
+      v151 = (v98 * v150);
+      v156 = (2.0 * v109);
+      v165 = (v98 - ((Math.log(v151) * v151) / ((Math.exp(v131) / (v102 * v112)) + ((v151 - 1.0) * ((v156 / v112) - (1.0 / v102))))));
+      v166 = ((-2.0) * v165);
+      v168 = (-Math.expm1(v166));
+      v173 = (v109 - (v80 * Math.exp(((-2.0) * (((v165 < 300.0) || (v165 !== v165)) ? v165 : 300.0)))));
+      v174 = (((v173 > 1.0) || (v173 !== v173)) ? v173 : 1.0);
+      v176 = (1.0 / (v113 * v165));
+      v191 = (v81 * v165);
+      v208 = [];
+      for ([node, weight] of RULE_0_2((1.0 / v176))) {
+        v177 = (node * 1.0);
+        v179 = ((v177 * v177) * v177);
+        v181 = ((v179 * v179) * v177);
+        v183 = (v181 * v177);
+        v186 = (-Math.expm1((v166 * v183)));
+        v187 = (1.0 - v183);
+        v193 = Math.expm1((v191 * v183));
+        v207 = ((8.0 * v181) * (((Math.exp((v165 * v187)) * Math.pow((v186 / v168), (-0.5))) * (v193 - (((v134 * (v193 + 1.0)) * v186) * ((-Math.expm1((v166 * v187))) / v168)))) / v186));
+        v208.push((weight * v207));
+      }
+      v208 = (math.fsum(v208) * 1.0);
+      v209 = (v165 * v208);
+      v222 = (v165 - ((Math.log(v209) * v209) / ((Math.exp(v191) / (v168 * v174)) + ((v209 - 1.0) * ((v156 / v174) - (1.0 / v168))))));
+      v223 = ((-2.0) * v222);
+      v225 = (-Math.expm1(v223));
+      v230 = (v109 - (v80 * Math.exp(((-2.0) * (((v222 < 300.0) || (v222 !== v222)) ? v222 : 300.0)))));
+      v231 = (((v230 > 1.0) || (v230 !== v230)) ? v230 : 1.0);
+      v233 = (1.0 / (v113 * v222));
+      v248 = (v81 * v222);
+      v265 = [];
+      for ([node, weight] of RULE_0_2((1.0 / v233))) {
+        v234 = (node * 1.0);
+        v236 = ((v234 * v234) * v234);
+        v238 = ((v236 * v236) * v234);
+        v240 = (v238 * v234);
+        v243 = (-Math.expm1((v223 * v240)));
+        v244 = (1.0 - v240);
+        v250 = Math.expm1((v248 * v240));
+        v264 = ((8.0 * v238) * (((Math.exp((v222 * v244)) * Math.pow((v243 / v225), (-0.5))) * (v250 - (((v134 * (v250 + 1.0)) * v243) * ((-Math.expm1((v223 * v244))) / v225)))) / v243));
+        v265.push((weight * v264));
+      }
+      v265 = (math.fsum(v265) * 1.0);
+      v266 = (v222 * v265);
+      v279 = (v222 - ((Math.log(v266) * v266) / ((Math.exp(v248) / (v225 * v231)) + ((v266 - 1.0) * ((v156 / v231) - (1.0 / v225))))));
+      v280 = ((-2.0) * v279);
+      v282 = (-Math.expm1(v280));
+      v287 = (v109 - (v80 * Math.exp(((-2.0) * (((v279 < 300.0) || (v279 !== v279)) ? v279 : 300.0)))));
+      v288 = (((v287 > 1.0) || (v287 !== v287)) ? v287 : 1.0);
+      v290 = (1.0 / (v113 * v279));
+      v305 = (v81 * v279);
+      v322 = [];
+      for ([node, weight] of RULE_0_2((1.0 / v290))) {
+        v291 = (node * 1.0);
+        v293 = ((v291 * v291) * v291);
+        v295 = ((v293 * v293) * v291);
+        v297 = (v295 * v291);
+        v300 = (-Math.expm1((v280 * v297)));
+        v301 = (1.0 - v297);
+        v307 = Math.expm1((v305 * v297));
+        v321 = ((8.0 * v295) * (((Math.exp((v279 * v301)) * Math.pow((v300 / v282), (-0.5))) * (v307 - (((v134 * (v307 + 1.0)) * v300) * ((-Math.expm1((v280 * v301))) / v282)))) / v300));
+        v322.push((weight * v321));
+      }
+      v322 = (math.fsum(v322) * 1.0);
+      v323 = (v279 * v322);
+      v336 = (v279 - ((Math.log(v323) * v323) / ((Math.exp(v305) / (v282 * v288)) + ((v323 - 1.0) * ((v156 / v288) - (1.0 / v282))))));
+      v337 = ((-2.0) * v336);
+      v339 = (-Math.expm1(v337));
+      v344 = (v109 - (v80 * Math.exp(((-2.0) * (((v336 < 300.0) || (v336 !== v336)) ? v336 : 300.0)))));
+      v345 = (((v344 > 1.0) || (v344 !== v344)) ? v344 : 1.0);
+      v347 = (1.0 / (v113 * v336));
+      v362 = (v81 * v336);
+      v379 = [];
+      for ([node, weight] of RULE_0_2((1.0 / v347))) {
+        v348 = (node * 1.0);
+        v350 = ((v348 * v348) * v348);
+        v352 = ((v350 * v350) * v348);
+        v354 = (v352 * v348);
+        v357 = (-Math.expm1((v337 * v354)));
+        v358 = (1.0 - v354);
+        v364 = Math.expm1((v362 * v354));
+        v378 = ((8.0 * v352) * (((Math.exp((v336 * v358)) * Math.pow((v357 / v339), (-0.5))) * (v364 - (((v134 * (v364 + 1.0)) * v357) * ((-Math.expm1((v337 * v358))) / v339)))) / v357));
+        v379.push((weight * v378));
+      }
+      v379 = (math.fsum(v379) * 1.0);
+      v380 = (v336 * v379);
+      v397 = (-Math.expm1(((-2.0) * (v336 - ((Math.log(v380) * v380) / ((Math.exp(v362) / (v339 * v345)) + ((v380 - 1.0) * ((v156 / v345) - (1.0 / v339)))))))));
+    } else {
+      v397 = 1.0;
+    }
+    v401 = (1.7724538509055159 * h);
+    return ((E_inf + (E_1 * Math.exp(((-t) / tau)))) * (((((v401 * v77) / ((n * v397) - 1.0)) * 0.999999999999999) <= d) ? ((2.0 * a) * (d + ((v401 / (n + 1.0)) * v77))) : NaN));
+  }
+  return _step_force_standard_solid_of_concave_power(t, d, a, h, n, E_inf, E_1, tau);
+};
+
+const step_force_standard_solid = (t, d, a, h, n, E_inf, E_1, tau) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < n && n < Infinity) && (0.0 <= d && d < Infinity) && (0.0 < E_inf && E_inf < Infinity) && (0.0 <= E_1 && E_1 < Infinity) && (0.0 < tau && tau < Infinity) && (n > 1)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_force_standard_solid(t, d, a, h, n, E_inf, E_1, tau) : NaN);
+};
+
+const relaxation_power_creep = (t, E, alpha, t_0) => {
+  let v8;
+  v8 = (3.141592653589793 * alpha);
+  return (((E * Math.pow((t_0 / t), alpha)) * Math.sin(v8)) / v8);
+};
+
+const _step_force_power_creep_of_concave_power = (t, d, a, h, n, E, alpha, t_0) => {
+  return (relaxation_power_creep(t, E, alpha, t_0) * _force(d, a, h, n, 1.0));
+};
+
+const _step_force_power_creep = (t, d, a, h, n, E, alpha, t_0) => {
+  let node, v101, v103, v105, v112, v114, v115, v116, v118, v119, v12, v121, v123, v126, v129, v130, v134, v136, v137, v152, v153, v154, v159, v168, v169, v171, v176, v177, v179, v180, v182, v184, v186, v189, v19, v190, v194, v196, v21, v210, v211, v212, v225, v226, v228, v233, v234, v236, v237, v239, v241, v243, v246, v247, v25, v251, v253, v267, v268, v269, v282, v283, v285, v290, v291, v293, v294, v296, v298, v300, v303, v304, v308, v310, v324, v325, v326, v339, v340, v342, v347, v348, v350, v351, v353, v355, v357, v360, v361, v365, v367, v381, v382, v383, v39, v400, v404, v80, v81, v83, v84, v93, v99, weight;
+  if (((t > 1e-30) && (t < 1e+30) && (d > 1e-30) && (d < 1e+30) && (a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (n > 1e-30) && (n < 1e+30) && (E > 1e-30) && (E < 1e+30) && (alpha > 1e-30) && (alpha < 1.0) && (t_0 > 1e-30) && (t_0 < 1e+30))) {
+    v12 = (3.141592653589793 * alpha);
+    v19 = ((n / 2.0) + 0.5);
+    v21 = (v19 + 1.75);
+    v25 = ((v19 + 0.5) * (v19 + 1.5));
+    v39 = (1.0 / (v21 * v21));
+    v80 = ((((v19 < 1.0) ? ((v19 * (v19 + 1.0)) / v25) : (1.0 - ((v19 + 0.75) / v25))) * Math.sqrt(v21)) * (1.0 + (v39 * (((((((((((((0.01524698625788054 * v39) + 0.5334320651111477) * v39) + 2.250488865813539) * v39) + 2.8612106440066865) * v39) + 1.3794681629043655) * v39) + 0.2596058532893223) * v39) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v39) + 49.328555418276075) * v39) + 167.28648538571198) * v39) + 195.37226190335065) * v39) + 90.69722535867314) * v39) + 16.763212110504565) * v39) + 1.0)))));
+    v81 = (n > 2.0);
+    if (v81) {
+      v83 = (v81 ? n : 3.0);
+      v84 = (v83 - 2.0);
+      v93 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v84) / (v84 + 0.72))) / v84));
+      if ((v84 < 2.0)) {
+        v99 = (Math.log(((v84 * (v84 + 2.0)) / 2.0)) / v84);
+        v101 = (((v93 > v99) || (v93 !== v93)) ? v93 : v99);
+      } else {
+        v101 = v93;
+      }
+      v103 = ((-2.0) * v101);
+      v105 = (-Math.expm1(v103));
+      v112 = ((v83 - 1.0) + 0.0);
+      v114 = (v112 - (v83 * Math.exp(((-2.0) * (((v101 < 300.0) || (v101 !== v101)) ? v101 : 300.0)))));
+      v115 = (((v114 > 1.0) || (v114 !== v114)) ? v114 : 1.0);
+      v116 = (v84 + 1.0);
+      v118 = (1.0 / (v116 * v101));
+      v134 = (v84 * v101);
+      v137 = (0.5 * v84);
+      v153 = [];
+      for ([node, weight] of RULE_0_2((1.0 / v118))) {
+        v119 = (node * 1.0);
+        v121 = ((v119 * v119) * v119);
+        v123 = ((v121 * v121) * v119);
+        v126 = (v123 * v119);
+        v129 = (-Math.expm1((v103 * v126)));
+        v130 = (1.0 - v126);
+        v136 = Math.expm1((v134 * v126));
+        v152 = ((8.0 * v123) * (((Math.exp((v101 * v130)) * Math.pow((v129 / v105), (-0.5))) * (v136 - (((v137 * (v136 + 1.0)) * v129) * ((-Math.expm1((v103 * v130))) / v105)))) / v129));
+        v153.push((weight * v152));
+      }
+      v153 = (math.fsum(v153) * 1.0);
+      v154 = (v101 * v153);
+      v159 = (2.0 * v112);
+      v168 = (v101 - ((Math.log(v154) * v154) / ((Math.exp(v134) / (v105 * v115)) + ((v154 - 1.0) * ((v159 / v115) - (1.0 / v105))))));
+      v169 = ((-2.0) * v168);
+      v171 = (-Math.expm1(v169));
+      v176 = (v112 - (v83 * Math.exp(((-2.0) * (((v168 < 300.0) || (v168 !== v168)) ? v168 : 300.0)))));
+      v177 = (((v176 > 1.0) || (v176 !== v176)) ? v176 : 1.0);
+      v179 = (1.0 / (v116 * v168));
+      v194 = (v84 * v168);
+      v211 = [];
+      for ([node, weight] of RULE_0_2((1.0 / v179))) {
+        v180 = (node * 1.0);
+        v182 = ((v180 * v180) * v180);
+        v184 = ((v182 * v182) * v180);
+        v186 = (v184 * v180);
+        v189 = (-Math.expm1((v169 * v186)));
+        v190 = (1.0 - v186);
+        v196 = Math.expm1((v194 * v186));
+        v210 = ((8.0 * v184) * (((Math.exp((v168 * v190)) * Math.pow((v189 / v171), (-0.5))) * (v196 - (((v137 * (v196 + 1.0)) * v189) * ((-Math.expm1((v169 * v190))) / v171)))) / v189));
+        v211.push((weight * v210));
+      }
+      v211 = (math.fsum(v211) * 1.0);
+      v212 = (v168 * v211);
+      v225 = (v168 - ((Math.log(v212) * v212) / ((Math.exp(v194) / (v171 * v177)) + ((v212 - 1.0) * ((v159 / v177) - (1.0 / v171))))));
+      v226 = ((-2.0) * v225);
+      v228 = (-Math.expm1(v226));
+      v233 = (v112 - (v83 * Math.exp(((-2.0) * (((v225 < 300.0) || (v225 !== v225)) ? v225 : 300.0)))));
+      v234 = (((v233 > 1.0) || (v233 !== v233)) ? v233 : 1.0);
+      v236 = (1.0 / (v116 * v225));
+      v251 = (v84 * v225);
+      v268 = [];
+      for ([node, weight] of RULE_0_2((1.0 / v236))) {
+        v237 = (node * 1.0);
+        v239 = ((v237 * v237) * v237);
+        v241 = ((v239 * v239) * v237);
+        v243 = (v241 * v237);
+        v246 = (-Math.expm1((v226 * v243)));
+        v247 = (1.0 - v243);
+        v253 = Math.expm1((v251 * v243));
+        v267 = ((8.0 * v241) * (((Math.exp((v225 * v247)) * Math.pow((v246 / v228), (-0.5))) * (v253 - (((v137 * (v253 + 1.0)) * v246) * ((-Math.expm1((v226 * v247))) / v228)))) / v246));
+        v268.push((weight * v267));
+      }
+      v268 = (math.fsum(v268) * 1.0);
+      v269 = (v225 * v268);
+      v282 = (v225 - ((Math.log(v269) * v269) / ((Math.exp(v251) / (v228 * v234)) + ((v269 - 1.0) * ((v159 / v234) - (1.0 / v228))))));
+      v283 = ((-2.0) * v282);
+      v285 = (-Math.expm1(v283));
+      v290 = (v112 - (v83 * Math.exp(((-2.0) * (((v282 < 300.0) || (v282 !== v282)) ? v282 : 300.0)))));
+      v291 = (((v290 > 1.0) || (v290 !== v290)) ? v290 : 1.0);
+      v293 = (1.0 / (v116 * v282));
+      v308 = (v84 * v282);
+      v325 = [];
+      for ([node, weight] of RULE_0_2((1.0 / v293))) {
+        v294 = (node * 1.0);
+        v296 = ((v294 * v294) * v294);
+        v298 = ((v296 * v296) * v294);
+        v300 = (v298 * v294);
+        v303 = (-Math.expm1((v283 * v300)));
+        v304 = (1.0 - v300);
+        v310 = Math.expm1((v308 * v300));
+        v324 = ((8.0 * v298) * (((Math.exp((v282 * v304)) * Math.pow((v303 / v285), (-0.5))) * (v310 - (((v137 * (v310 + 1.0)) * v303) * ((-Math.expm1((v283 * v304))) / v285)))) / v303));
+        v325.push((weight * v324));
+      }
+      v325 = (math.fsum(v325) * 1.0);
+      v326 = (v282 * v325);
+      v339 = (v282 - ((Math.log(v326) * v326) / ((Math.exp(v308) / (v285 * v291)) + ((v326 - 1.0) * ((v159 / v291) - (1.0 / v285))))));
+      v340 = ((-2.0) * v339);
+      v342 = (-Math.expm1(v340));
+      v347 = (v112 - (v83 * Math.exp(((-2.0) * (((v339 < 300.0) || (v339 !== v339)) ? v339 : 300.0)))));
+      v348 = (((v347 > 1.0) || (v347 !== v347)) ? v347 : 1.0);
+      v350 = (1.0 / (v116 * v339));
+      v365 = (v84 * v339);
+      v382 = [];
+      for ([node, weight] of RULE_0_2((1.0 / v350))) {
+        v351 = (node * 1.0);
+        v353 = ((v351 * v351) * v351);
+        v355 = ((v353 * v353) * v351);
+        v357 = (v355 * v351);
+        v360 = (-Math.expm1((v340 * v357)));
+        v361 = (1.0 - v357);
+        v367 = Math.expm1((v365 * v357));
+        v381 = ((8.0 * v355) * (((Math.exp((v339 * v361)) * Math.pow((v360 / v342), (-0.5))) * (v367 - (((v137 * (v367 + 1.0)) * v360) * ((-Math.expm1((v340 * v361))) / v342)))) / v360));
+        v382.push((weight * v381));
+      }
+      v382 = (math.fsum(v382) * 1.0);
+      v383 = (v339 * v382);
+      v400 = (-Math.expm1(((-2.0) * (v339 - ((Math.log(v383) * v383) / ((Math.exp(v365) / (v342 * v348)) + ((v383 - 1.0) * ((v159 / v348) - (1.0 / v342)))))))));
+    } else {
+      v400 = 1.0;
+    }
+    v404 = (1.7724538509055159 * h);
+    return ((((E * Math.pow((t_0 / t), alpha)) * Math.sin(v12)) / v12) * (((((v404 * v80) / ((n * v400) - 1.0)) * 0.999999999999999) <= d) ? ((2.0 * a) * (d + ((v404 / (n + 1.0)) * v80))) : NaN));
+  }
+  return _step_force_power_creep_of_concave_power(t, d, a, h, n, E, alpha, t_0);
+};
+
+const step_force_power_creep = (t, d, a, h, n, E, alpha, t_0) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < n && n < Infinity) && (0.0 <= d && d < Infinity) && (0.0 < E && E < Infinity) && (0.0 < alpha && alpha < 1.0) && (0.0 < t_0 && t_0 < Infinity) && (n > 1)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_force_power_creep(t, d, a, h, n, E, alpha, t_0) : NaN);
+};
+
+const once = { pull_off: math.kept(pull_off), pull_off_of_concave_power: math.kept(pull_off_of_concave_power) };
 const formulas = {
   "U": (v) => energy(v.d, v.a, v.h, v.n, v.E_star),
   "Fr": (v) => load_within(v.r, v.d, v.a, v.h, v.n, v.E_star),
@@ -1951,6 +3619,23 @@ const formulas = {
   "dmin": (v) => minimum_depth(v.a, v.h, v.n),
   "Fmin": (v) => minimum_force(v.a, v.h, v.n, v.E_star),
   "adh.Dl": (v) => retraction(v.a, v.E_star, v.dgamma),
+  "adh.Fc": (v) => (once.pull_off('force', v.a, v.h, v.n, v.E_star, v.dgamma).force ?? NaN),
+  "adh.dc": (v) => (once.pull_off('force', v.a, v.h, v.n, v.E_star, v.dgamma).depth ?? NaN),
+  "fgm.F": (v) => force_of_concave_power(v.d, v.a, v.h, v.n, v.H, v.k),
+  "fgm.p": (v) => pressure_of_concave_power(v.r, v.d, v.a, v.h, v.n, v.H, v.k),
+  "fgm.w": (v) => displacement_of_concave_power(v.r, v.d, v.a, v.h, v.n, v.k),
+  "fgm.k": (v) => stiffness_of_concave_power(v.a, v.h, v.n, v.H, v.k),
+  "fgm.dF": (v) => depth_from_force_of_concave_power(v.F, v.a, v.h, v.n, v.H, v.k),
+  "fgm.rz": (v) => zero_radius_of_concave_power(v.a, v.h, v.n, v.k),
+  "fgm.dmin": (v) => minimum_depth_of_concave_power(v.a, v.h, v.n, v.k),
+  "fgm.Fmin": (v) => minimum_force_of_concave_power(v.a, v.h, v.n, v.H, v.k),
+  "fgm.adh.Dl": (v) => retraction_of_concave_power(v.a, v.H, v.k, v.dgamma),
+  "fgm.adh.Fc": (v) => (once.pull_off_of_concave_power('force', v.a, v.h, v.n, v.H, v.k, v.dgamma).force ?? NaN),
+  "fgm.adh.dc": (v) => (once.pull_off_of_concave_power('force', v.a, v.h, v.n, v.H, v.k, v.dgamma).depth ?? NaN),
+  "vis.step_mx": (v) => step_force_maxwell(v.t, v.d, v.a, v.h, v.n, v.E_law, v.tau),
+  "vis.step_kv": (v) => step_force_kelvin_voigt(v.t, v.d, v.a, v.h, v.n, v.E_law, v.eta),
+  "vis.step_sls": (v) => step_force_standard_solid(v.t, v.d, v.a, v.h, v.n, v.E_inf, v.E_1, v.tau),
+  "vis.step_pc": (v) => step_force_power_creep(v.t, v.d, v.a, v.h, v.n, v.E_law, v.alpha, v.t_0),
 };
 window.calculator = { ...{
  "fields": [
@@ -2021,6 +3706,28 @@ window.calculator = { ...{
    "value": 0.3
   },
   {
+   "name": "H",
+   "tex": "H",
+   "meaning": "foundation modulus of the graded half-space",
+   "unit": "Pa m^(-k)",
+   "rule": "H > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 50000000.0
+  },
+  {
+   "name": "k",
+   "tex": "k",
+   "meaning": "exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space",
+   "unit": "1",
+   "rule": "-1 < k < 1",
+   "low": -1.0,
+   "high": 1.0,
+   "closed": "",
+   "value": 0.3
+  },
+  {
    "name": "dgamma",
    "tex": "\\Delta\\gamma",
    "meaning": "work of separation per unit area",
@@ -2041,6 +3748,94 @@ window.calculator = { ...{
    "high": null,
    "closed": "low",
    "value": ""
+  },
+  {
+   "name": "E_law",
+   "tex": "E",
+   "meaning": "effective (plane-strain) modulus of the viscoelastic law",
+   "unit": "Pa",
+   "rule": "E_law > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 3000000.0
+  },
+  {
+   "name": "E_inf",
+   "tex": "E_\\infty",
+   "meaning": "long-time effective modulus",
+   "unit": "Pa",
+   "rule": "E_inf > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 1000000.0
+  },
+  {
+   "name": "E_1",
+   "tex": "E_1",
+   "meaning": "relaxing part of the effective modulus",
+   "unit": "Pa",
+   "rule": "E_1 >= 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "low",
+   "value": 2000000.0
+  },
+  {
+   "name": "tau",
+   "tex": "\\tau",
+   "meaning": "relaxation time",
+   "unit": "s",
+   "rule": "tau > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 1.0
+  },
+  {
+   "name": "eta",
+   "tex": "\\eta",
+   "meaning": "effective viscosity",
+   "unit": "Pa s",
+   "rule": "eta > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 1000000.0
+  },
+  {
+   "name": "alpha",
+   "tex": "\\alpha",
+   "meaning": "exponent of power-law creep",
+   "unit": "1",
+   "rule": "0 < alpha < 1",
+   "low": 0.0,
+   "high": 1.0,
+   "closed": "",
+   "value": 0.3
+  },
+  {
+   "name": "t_0",
+   "tex": "t_0",
+   "meaning": "reference time of power-law creep",
+   "unit": "s",
+   "rule": "t_0 > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 1.0
+  },
+  {
+   "name": "t",
+   "tex": "t",
+   "meaning": "time since first contact",
+   "unit": "s",
+   "rule": "t >= 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "low",
+   "value": 1.0
   }
  ],
  "state": [
@@ -2079,7 +3874,8 @@ window.calculator = { ...{
    ],
    "unit": "J",
    "place": "",
-   "suffix": "U"
+   "suffix": "U",
+   "medium": 0
   },
   "Fr": {
    "gives": "F_r",
@@ -2093,7 +3889,8 @@ window.calculator = { ...{
    ],
    "unit": "N",
    "place": "inside",
-   "suffix": "Fr"
+   "suffix": "Fr",
+   "medium": 0
   },
   "F": {
    "gives": "F",
@@ -2106,7 +3903,8 @@ window.calculator = { ...{
    ],
    "unit": "N",
    "place": "",
-   "suffix": "F"
+   "suffix": "F",
+   "medium": 0
   },
   "p": {
    "gives": "p",
@@ -2120,7 +3918,8 @@ window.calculator = { ...{
    ],
    "unit": "Pa",
    "place": "inside",
-   "suffix": "p"
+   "suffix": "p",
+   "medium": 0
   },
   "w": {
    "gives": "w",
@@ -2133,7 +3932,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "outside",
-   "suffix": "w"
+   "suffix": "w",
+   "medium": 0
   },
   "k": {
    "gives": "stiffness",
@@ -2145,7 +3945,8 @@ window.calculator = { ...{
    ],
    "unit": "N/m",
    "place": "",
-   "suffix": "k"
+   "suffix": "k",
+   "medium": 0
   },
   "dF": {
    "gives": "d",
@@ -2158,7 +3959,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": "dF"
+   "suffix": "dF",
+   "medium": 0
   },
   "rz": {
    "gives": "r_zero",
@@ -2169,7 +3971,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": "rz"
+   "suffix": "rz",
+   "medium": 0
   },
   "dmin": {
    "gives": "d",
@@ -2180,7 +3983,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": "dmin"
+   "suffix": "dmin",
+   "medium": 0
   },
   "Fmin": {
    "gives": "F",
@@ -2192,7 +3996,8 @@ window.calculator = { ...{
    ],
    "unit": "N",
    "place": "",
-   "suffix": "Fmin"
+   "suffix": "Fmin",
+   "medium": 0
   },
   "adh.Dl": {
    "gives": "retraction",
@@ -2203,7 +4008,260 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.Fc": {
+   "gives": "F",
+   "needs": [
+    "a",
+    "h",
+    "n",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.dc": {
+   "gives": "d",
+   "needs": [
+    "a",
+    "h",
+    "n",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "fgm.F": {
+   "gives": "F",
+   "needs": [
+    "d",
+    "a",
+    "h",
+    "n",
+    "H",
+    "k"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "F",
+   "medium": 1
+  },
+  "fgm.p": {
+   "gives": "p",
+   "needs": [
+    "r",
+    "d",
+    "a",
+    "h",
+    "n",
+    "H",
+    "k"
+   ],
+   "unit": "Pa",
+   "place": "inside",
+   "suffix": "p",
+   "medium": 1
+  },
+  "fgm.w": {
+   "gives": "w",
+   "needs": [
+    "r",
+    "d",
+    "a",
+    "h",
+    "n",
+    "k"
+   ],
+   "unit": "m",
+   "place": "outside",
+   "suffix": "w",
+   "medium": 1
+  },
+  "fgm.k": {
+   "gives": "stiffness",
+   "needs": [
+    "a",
+    "h",
+    "n",
+    "H",
+    "k"
+   ],
+   "unit": "N/m",
+   "place": "",
+   "suffix": "k",
+   "medium": 1
+  },
+  "fgm.dF": {
+   "gives": "d",
+   "needs": [
+    "F",
+    "a",
+    "h",
+    "n",
+    "H",
+    "k"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "dF",
+   "medium": 1
+  },
+  "fgm.rz": {
+   "gives": "r_zero",
+   "needs": [
+    "a",
+    "h",
+    "n",
+    "k"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "rz",
+   "medium": 1
+  },
+  "fgm.dmin": {
+   "gives": "d",
+   "needs": [
+    "a",
+    "h",
+    "n",
+    "k"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "dmin",
+   "medium": 1
+  },
+  "fgm.Fmin": {
+   "gives": "F",
+   "needs": [
+    "a",
+    "h",
+    "n",
+    "H",
+    "k"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "Fmin",
+   "medium": 1
+  },
+  "fgm.adh.Dl": {
+   "gives": "retraction",
+   "needs": [
+    "a",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.Fc": {
+   "gives": "F",
+   "needs": [
+    "a",
+    "h",
+    "n",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.dc": {
+   "gives": "d",
+   "needs": [
+    "a",
+    "h",
+    "n",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "vis.step_mx": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "d",
+    "a",
+    "h",
+    "n",
+    "E_law",
+    "tau"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.step_kv": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "d",
+    "a",
+    "h",
+    "n",
+    "E_law",
+    "eta"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.step_sls": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "d",
+    "a",
+    "h",
+    "n",
+    "E_inf",
+    "E_1",
+    "tau"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.step_pc": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "d",
+    "a",
+    "h",
+    "n",
+    "E_law",
+    "alpha",
+    "t_0"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
   }
  },
  "place": "r"

@@ -25,7 +25,10 @@ const math = {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
     return Array.from({ length: Math.max(Math.ceil((stop - start) / step), 0) }, (_, count) => start + step * count);
   },
-  zip: (x, y) => x.map((value, place) => [value, y[place]]),
+  zip: (x, y) => x.slice(0, y.length).map((value, place) => [value, y[place]]),
+  // named fields that are told by their places too
+  record: (fields) => Object.assign(Object.values(fields), fields),
+  replaced: (x, changes) => math.record({ ...Object.fromEntries(Object.entries(x).slice(x.length)), ...changes }),
   enumerate: (x, start = 0) => Array.from(x, (value, place) => [place + start, value]),
   repeated: (x, count) => math.range(count).flatMap(() => x),
   reversed: (x) => [...x].reverse(),
@@ -84,6 +87,63 @@ const math = {
     bits.setBigInt64(0, bits.getBigInt64(0) + (x > 0.0 === to > x ? 1n : -1n));
     return bits.getFloat64(0);
   },
+  halfway: (low, high) => {
+    const bits = new DataView(new ArrayBuffer(16));
+    bits.setFloat64(0, low);
+    bits.setFloat64(8, high);
+    const first = bits.getBigInt64(0);
+    bits.setBigInt64(0, first + (bits.getBigInt64(8) - first) / 2n);
+    return bits.getFloat64(0);
+  },
+  // radii around waves: decades, sixteen in each wave, decades
+  radii_of_waves: (length, reach) => {
+    const waves = Math.floor(math.clip(Number.isFinite(reach / length) ? reach / length : 4.0, 4.0, 4096.0));
+    const inner = [...math.range(15).map((place) => Math.pow(10.0, 10 * place - 150)), ...math.range(1, 16 * waves + 1).map((x) => x / 16.0)];
+    return [...inner, ...math.range(10).map((place) => (waves + 1.0) * Math.pow(10.0, 10 * place))].map((x) => x * length);
+  },
+  // what was found for the last arguments
+  kept: (of) => {
+    const known = new Map();
+    return (...given) => {
+      const key = given.join();
+      if (known.size > 99) known.clear();
+      if (!known.has(key)) known.set(key, of(...given));
+      return known.get(key);
+    };
+  },
+  // the branches on which a steepness is above a level, each end refined where the sign changes between two radii; what
+  // was sampled is that of a geometry, and keeps what was found in it
+  branches: (change, far) => (steepness, sampled, level) => {
+    const { radii, end } = sampled;
+    const steep = (sampled.steep ??= radii.map((a) => steepness(a)));
+    sampled.found ??= math.kept((level) => math.searched(change, far, steepness, radii, steep, end, level));
+    return sampled.found(level);
+  },
+  searched: (change, far, steepness, radii, steep, end, level) => {
+    const above = (a) => Math.log(steepness(a) / level);
+    const [first, last] = [[], []];
+    if (steep[0] >= level) first.push(radii[0]);
+    for (let place = 1; place < radii.length; place++) {
+      const [before, after] = [steep[place - 1], steep[place]];
+      const up = after >= level;
+      if (up !== before >= level && (up || radii[place - 1] < far)) {
+        const found = change(above, radii[place - 1], radii[place], Math.log(before / level), Math.log(after / level), up ? 1.0 : -1.0);
+        (up ? first : last).push(found);
+      }
+    }
+    const largest = math.nextafter(radii.at(-1), 0.0);
+    return { first: first.map((a) => Math.min(a, largest)), last: [...last, end].slice(0, first.length) };
+  },
+  lowest: ({ first }, load) => {
+    const loads = first.map(load);
+    const known = loads.filter((x) => x === x);
+    return known.length ? first[loads.indexOf(Math.min(...known))] : NaN;
+  },
+  springs: (pairs, under) => (left, low, high) => {
+    const first = left(low);
+    const terms = pairs.map(([node, weight]) => weight * left(low + (high - low) * node));
+    return (high - low) * (math.fsum(terms) + under * first);
+  },
   // nodes and weights on (0, 1) for an interval of a length, in panels beyond the last one
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
@@ -99,6 +159,19 @@ const math = {
   integral_by_panels: (integrand, stop, width, count) => {
     const panels = panelsOf(Math.max(stop / width, 1.0));
     return math.fsum(pairs(count, panels).map(([node, weight]) => weight * integrand(node * stop))) * stop;
+  },
+  both: (integrand, stop, width = 1.0, lengths = STRIPS) => {
+    if (stop !== stop) return [stop, stop];
+    const panels = panelsOf(Math.max(stop / width / lengths.at(-1)[0], 1.0));
+    const [first, second] = [[], []];
+    for (let start = 0; start < panels; start++) {
+      for (const [node, weight] of math.rule(lengths)(stop / width / panels)) {
+        const [x, y] = integrand(((start + node) / panels) * stop);
+        first.push((weight / panels) * x);
+        second.push((weight / panels) * y);
+      }
+    }
+    return [math.fsum(first) * stop, math.fsum(second) * stop];
   },
   integral_by_length: (...given) => math.integral_in_strip(...given),
   in_groups: (rule_of) => (slope, parameters, ...given) => {
@@ -483,6 +556,505 @@ const retraction = (a, E_star, dgamma) => {
   return hess_retraction(a, E_star, dgamma);
 };
 
+const _pull_off_depth_of_concave_quartic = (a, h, E_star, dgamma) => {
+  return ((((-8) * h) / 3) - hess_retraction(a, E_star, dgamma));
+};
+
+const _pull_off_depth = (a, h, E_star, dgamma) => {
+  if (((a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30))) {
+    return ((((-8.0) * h) / 3.0) - (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))));
+  }
+  return _pull_off_depth_of_concave_quartic(a, h, E_star, dgamma);
+};
+
+const _pull_off_force_of_concave_quartic = (a, h, E_star, dgamma) => {
+  return ((((-2) * a) * Math.sqrt(((((2 * Math.PI) * E_star) * dgamma) * a))) - ((((64 * E_star) * h) / 15) * a));
+};
+
+const _pull_off_force = (a, h, E_star, dgamma) => {
+  if (((a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30))) {
+    return ((((-2.0) * a) * Math.sqrt((((6.283185307179586 * E_star) * dgamma) * a))) - ((((64.0 * E_star) * h) / 15.0) * a));
+  }
+  return _pull_off_force_of_concave_quartic(a, h, E_star, dgamma);
+};
+
+const PullOff = (radius, force, depth) => math.record({ radius, force, depth });
+
+const pull_off = (control = 'force', a, h, E_star, dgamma) => {
+  let depth, force;
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  depth = _pull_off_depth(a, h, E_star, dgamma);
+  force = _pull_off_force(a, h, E_star, dgamma);
+  return PullOff(((depth * 0.0) + a), force, depth);
+};
+
+const _minimum_depth_2 = (a, h, k) => {
+  let v8;
+  v8 = (k + 1.0);
+  return (((((-4.0) * h) * (k - 1.0)) / ((v8 * v8) * (k + 3.0))) + (0.0 * a));
+};
+
+const punch_stiffness = (a, H, k) => {
+  return (((2.0 * H) / (1.0 + k)) * ((a > 0.0) ? (a * Math.pow(a, k)) : 0.0));
+};
+
+const _gamma = (x) => {
+  return math.vectorize(math.gamma)(x);
+};
+
+const FAR = 40.0;
+
+const _near = (x, e, steps) => {
+  let before, i, lost, part, total;
+  [total, lost] = [0.0, 0.0];
+  for (i of math.range((steps - 1), (-1), (-1))) {
+    part = (Math.log1p((e / (x + i))) - lost);
+    [before, total] = [total, (total + part)];
+    lost = ((total - before) - part);
+  }
+  return total;
+};
+
+const _to_the_last_digit = (terms) => {
+  let before, lost, part, term, total;
+  [total, lost] = [0.0, 0.0];
+  for (term of terms) {
+    part = (term - lost);
+    [before, total] = [total, (total + part)];
+    lost = ((total - before) - part);
+  }
+  return total;
+};
+
+const series = (e) => {
+  let first, second, third;
+  first = (((-e) * ((e * e) - 1.0)) / 24.0);
+  second = (((((e * (e - 1.0)) * (e - 2.0)) * (e - 3.0)) * (e + 1.0)) / 5760.0);
+  third = ((((second * (e - 4.0)) * (e - 5.0)) / (-504.0)) * (((35.0 * Math.pow((e + 1.0), 2)) + (42.0 * (e + 1.0))) + 16.0));
+  return [first, (second * ((5.0 * e) + 7.0)), third];
+};
+
+const _rising = (x, e) => {
+  let first, near, second, shifts, steps, third, w;
+  [x, e] = [math.asarray(x), math.asarray(e)];
+  steps = Math.ceil(math.maximum((FAR - x), 0.0));
+  if ((math.ndim((x + e)) === 0)) {
+    near = _near(Number(x), Number(e), Math.trunc(steps));
+  } else {
+    shifts = math.reversed(math.range(Math.trunc(math.maximum(steps))));
+    near = _to_the_last_digit([...shifts].map((i) => math.where((i < steps), Math.log1p((e / (x + i))), 0.0)));
+  }
+  w = ((x + steps) + ((e - 1.0) / 2.0));
+  [first, second, third] = series(e);
+  return ((Math.pow(w, e) * (1.0 + ((first + ((second + (third / (w * w))) / (w * w))) / (w * w)))) * Math.exp((-near)));
+};
+
+const power_factor = math.kept((n, k) => {
+  let half;
+  half = ((1.0 + k) / 2.0);
+  return (((((1.0 + k) + n) / (1.0 + k)) * _gamma((1.0 + half))) / _rising((1.0 + (n / 2.0)), half));
+});
+
+const _force_2 = (d, a, h, H, k) => {
+  let complete;
+  complete = ((_minimum_depth_2(a, h, k) * (1.0 - 1e-15)) <= d);
+  return (complete ? (punch_stiffness(a, H, k) * (d + (((h * power_factor(4.0, k)) * (1.0 + k)) / ((4.0 + 1.0) + k)))) : NaN);
+};
+
+const force_of_concave_quartic = (d, a, h, H, k) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return ((d >= 0.0) ? _force_2(d, a, h, H, k) : NaN);
+};
+
+const _minimum_depth_3 = (a, h, k) => {
+  return (((((-4) * h) * (k - 1)) / (Math.pow((k + 1), 2) * (k + 3))) + (0.0 * a));
+};
+
+const punch_pressure = (r, a, H, k) => {
+  let v4, v9;
+  if ((r < a)) {
+    v4 = (a - r);
+    v9 = math.sqrt(((((v4 > 0.0) || (v4 !== v4)) ? v4 : 0.0) * (a + r)));
+    return (((H / 3.141592653589793) * Math.pow(v9, k)) / v9);
+  }
+  if ((r > a)) {
+    return 0.0;
+  }
+  return Infinity;
+};
+
+const _pressure_3 = (r, d, a, h, H, k) => {
+  let face, least, pressure;
+  least = _minimum_depth_3(a, h, k);
+  face = (((4 * h) * Math.pow((((k * Math.pow(a, 2)) + (4 * Math.pow(r, 2))) - Math.pow(a, 2)), 2)) / ((Math.pow(a, 4) * Math.pow((k + 1), 2)) * Math.pow((k + 3), 2)));
+  pressure = (((d - least) + face) * punch_pressure(r, a, H, k));
+  return math.where(((least * (1.0 - 1e-15)) <= d), pressure, NaN);
+};
+
+const _pressure_2 = (r, d, a, h, H, k) => {
+  let v11, v13, v15, v20, v23, v28, v38, v42, v52;
+  if (((r > 1e-30) && (r < 1e+30) && (d > 1e-30) && (d < 1e+30) && (a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (H > 1e-30) && (H < 1e+30) && (k > 1e-30) && (k < 1.0))) {
+    v11 = (k + 1.0);
+    v13 = (v11 * v11);
+    v15 = (k + 3.0);
+    v20 = (((((-4.0) * h) * (k - 1.0)) / (v13 * v15)) + (0.0 * a));
+    if (((v20 * 0.999999999999999) <= d)) {
+      v23 = (a * a);
+      v28 = (((k * v23) + (4.0 * (r * r))) - v23);
+      if ((r < a)) {
+        v38 = (a - r);
+        v42 = Math.sqrt(((((v38 > 0.0) || (v38 !== v38)) ? v38 : 0.0) * (a + r)));
+        v52 = (((H / 3.141592653589793) * Math.pow(v42, k)) / v42);
+      } else {
+        v52 = ((r > a) ? 0.0 : Infinity);
+      }
+      return (((d - v20) + (((4.0 * h) * (v28 * v28)) / (((v23 * v23) * v13) * (v15 * v15)))) * v52);
+    }
+    return NaN;
+  }
+  return _pressure_3(r, d, a, h, H, k);
+};
+
+const pressure_of_concave_quartic = (r, d, a, h, H, k) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (d >= 0.0)) ? ((r < Infinity) ? _pressure_2(r, d, a, h, H, k) : 0.0) : NaN);
+};
+
+const difference_root = (x, y) => {
+  let v2;
+  v2 = (x - y);
+  return math.sqrt(((((v2 > 0.0) || (v2 !== v2)) ? v2 : 0.0) * (x + y)));
+};
+
+const punch_scale = (k) => {
+  return (0.6366197723675814 * Math.sin((1.5707963267948966 * (1.0 - Math.abs(k)))));
+};
+
+const EDGE = [[3.0, 32], [11.0, 64]];
+
+const raised = (x, k) => {
+  if ((x > 0.0)) {
+    return (x * Math.pow(x, k));
+  }
+  return 0.0;
+};
+
+const NODES_of_rules = 64;
+
+const weighted = (smooth, stop, power, count = NODES_of_rules, above = null) => {
+  let end, pairs;
+  if ((power >= (-0.25))) {
+    return math.fsum([...math.products(power, count, false)].map(([node, weight]) => (weight * smooth((node * stop)))));
+  }
+  above = ((above == null) ? (1.0 + power) : above);
+  end = smooth(0.0);
+  pairs = math.products(above, count, true);
+  return ((end / above) + math.fsum([...pairs].map(([node, weight]) => (weight * (smooth((node * stop)) - end)))));
+};
+
+const NODES_of_displacement = 64;
+
+const from_edge = (shape, a, q, c, stop, k, steep = false) => {
+  let count, first, half, length, longest, ratio, second, smooth;
+  ratio = (c / q);
+  smooth = (v, sinh) => {
+    let z;
+    z = (c * sinh);
+    return ((shape(difference_root(a, z), z) * Math.cosh(v)) / (1.0 + Math.pow((ratio * sinh), 2)));
+  };
+  first = (v) => {
+    let sinh;
+    sinh = Math.sinh(v);
+    return (smooth(v, sinh) * Math.pow(((v > 0.0) ? (sinh / ((v > 0.0) ? v : 1.0)) : 1.0), k));
+  };
+  second = (v) => {
+    let sinh;
+    sinh = Math.sinh((half + v));
+    return (smooth((half + v), sinh) * Math.pow(sinh, k));
+  };
+  longest = (steep ? Infinity : Number(math.maximum((Number.isFinite(stop) ? stop : 0.0))));
+  for ([length, count] of EDGE) {
+    if ((longest <= length)) {
+      return ((raised(ratio, k) * raised(stop, k)) * weighted(first, stop, k, count));
+    }
+  }
+  half = (stop / 2.0);
+  return (raised(ratio, k) * ((raised(half, k) * weighted(first, half, k)) + math.integral(second, half, NODES_of_displacement)));
+};
+
+const punch_share = (r, a, k) => {
+  let q, stop;
+  q = difference_root(r, a);
+  stop = Math.asinh((a / q));
+  return (punch_scale(k) * from_edge(((s, z) => math.ones_like(z)), a, q, q, stop, k));
+};
+
+const STEEP = 16.0;
+
+const _from_edge_of_power = (shape, q, a, n, k) => {
+  return from_edge(shape, a, q, q, Math.asinh(((a / q) / 2.0)), k, Boolean((n > STEEP)));
+};
+
+const sine_over = (y) => {
+  let v2;
+  v2 = (y > 0.0);
+  if (v2) {
+    return (Math.sin(y) / (v2 ? y : 1.0));
+  }
+  return 1.0;
+};
+
+const kernel = (sine, cosine, ratio, k) => {
+  let v9;
+  v9 = (ratio * sine);
+  return (((ratio * Math.pow(ratio, k)) * (Math.pow(sine, k) * cosine)) / (1.0 + (v9 * v9)));
+};
+
+const SPLIT = 0.5235987755982988;
+
+const _to_axis = (q) => {
+  return math.full(math.repeated([1], math.ndim(q)), ((Math.PI / 2.0) - SPLIT));
+};
+
+const power_sag = (r, a, n, k) => {
+  let far, near, q, reach, smooth, weight, whole;
+  q = difference_root(r, a);
+  near = _from_edge_of_power(((s, z) => Math.exp(((n / 2.0) * Math.log1p((-Math.pow((z / a), 2)))))), q, a, n, k);
+  whole = Math.floor(n);
+  weight = (n - whole);
+  smooth = (x) => {
+    return ((Math.pow(sine_over(x), weight) * Math.pow(Math.sin(x), whole)) * kernel(Math.cos(x), Math.sin(x), (a / q), k));
+  };
+  reach = _to_axis(q);
+  far = ((Math.pow(reach, weight) * reach) * weighted(smooth, reach, weight));
+  return ((punch_scale(k) * Math.pow(a, n)) * (near + far));
+};
+
+const either = (condition, x, y) => {
+  if (Boolean(condition)) {
+    return x();
+  }
+  return (Boolean(condition) ? (condition ? x() : y()) : y());
+};
+
+const _displacement_2 = (r, d, a, h, k) => {
+  let complete, outside, value;
+  complete = ((_minimum_depth_2(a, h, k) * (1.0 - 1e-15)) <= d);
+  outside = () => {
+    return ((d * punch_share(r, a, k)) + ((h * power_sag(r, a, 4.0, k)) / Math.pow(a, 4.0)));
+  };
+  value = either((r > a), outside, (() => (d - _profile(r, a, h))));
+  return (complete ? value : NaN);
+};
+
+const displacement_of_concave_quartic = (r, d, a, h, k) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (d >= 0.0)) ? ((r < Infinity) ? _displacement_2(r, d, a, h, k) : 0.0) : NaN);
+};
+
+const _stiffness_3 = (a, H, k) => {
+  return punch_stiffness(a, H, k);
+};
+
+const _stiffness_2 = (a, H, k, h = 1.0) => {
+  if (((a > 1e-30) && (a < 1e+30) && (H > 1e-30) && (H < 1e+30) && (k > 1e-30) && (k < 1.0) && (h > 1e-30) && (h < 1e+30))) {
+    return (((2.0 * H) / (1.0 + k)) * ((a > 0.0) ? (a * Math.pow(a, k)) : 0.0));
+  }
+  return _stiffness_3(a, H, k);
+};
+
+const stiffness_of_concave_quartic = (a, h, H, k) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return _stiffness_2(a, H, k);
+};
+
+const _minimum_force_2 = (a, h, H, k) => {
+  return (punch_stiffness(a, H, k) * (_minimum_depth_2(a, h, k) + (((h * power_factor(4.0, k)) * (1.0 + k)) / ((4.0 + 1.0) + k))));
+};
+
+const _depth_from_force_2 = (F, a, h, H, k) => {
+  let complete;
+  complete = ((_minimum_force_2(a, h, H, k) * (1.0 - 1e-15)) <= F);
+  return (complete ? ((F / punch_stiffness(a, H, k)) - (((h * power_factor(4.0, k)) * (1.0 + k)) / ((4.0 + 1.0) + k))) : NaN);
+};
+
+const depth_from_force_of_concave_quartic = (F, a, h, H, k) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return ((F >= 0.0) ? _depth_from_force_2(F, a, h, H, k) : NaN);
+};
+
+const _zero_radius_3 = (a, h, k) => {
+  return (((a * Math.sqrt((1 - k))) / 2) + (0.0 * h));
+};
+
+const _zero_radius_2 = (a, h, k) => {
+  if (((a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (k > 1e-30) && (k < 1.0))) {
+    return (((a * Math.sqrt((1.0 - k))) / 2.0) + (0.0 * h));
+  }
+  return _zero_radius_3(a, h, k);
+};
+
+const zero_radius_of_concave_quartic = (a, h, k) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return _zero_radius_2(a, h, k);
+};
+
+const minimum_depth_of_concave_quartic = (a, h, k) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return _minimum_depth_2(a, h, k);
+};
+
+const minimum_force_of_concave_quartic = (a, h, H, k) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return _minimum_force_2(a, h, H, k);
+};
+
+const graded_retraction = (a, H, k, dgamma) => {
+  if ((a > 0.0)) {
+    return ((math.sqrt(((6.283185307179586 * dgamma) / H)) * math.sqrt(a)) * math.sqrt(Math.pow(a, (-k))));
+  }
+  return 0.0;
+};
+
+const retraction_of_concave_quartic = (a, H, k, dgamma) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return graded_retraction(a, H, k, dgamma);
+};
+
+const _pull_off_depth_2 = (a, h, H, k, dgamma) => {
+  return (((-h) * power_factor(4.0, k)) - graded_retraction(a, H, k, dgamma));
+};
+
+const _pull_off_force_2 = (a, h, H, k, dgamma) => {
+  return ((-punch_stiffness(a, H, k)) * ((((h * power_factor(4.0, k)) * 4.0) / ((4.0 + 1.0) + k)) + graded_retraction(a, H, k, dgamma)));
+};
+
+const pull_off_of_concave_quartic = (control = 'force', a, h, H, k, dgamma) => {
+  let depth, force;
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  depth = _pull_off_depth_2(a, h, H, k, dgamma);
+  force = _pull_off_force_2(a, h, H, k, dgamma);
+  return PullOff(((depth * 0.0) + a), force, depth);
+};
+
+const relaxation_maxwell = (t, E, tau) => {
+  return (E * Math.exp(((-t) / tau)));
+};
+
+const _step_force_maxwell_of_concave_quartic = (t, d, a, h, E, tau) => {
+  return (relaxation_maxwell(t, E, tau) * _force(d, a, h, 1.0));
+};
+
+const _step_force_maxwell = (t, d, a, h, E, tau) => {
+  if (((t > 1e-30) && (t < 1e+30) && (d > 1e-30) && (d < 1e+30) && (a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (E > 1e-30) && (E < 1e+30) && (tau > 1e-30) && (tau < 1e+30))) {
+    return ((E * Math.exp(((-t) / tau))) * (((((4.0 * h) / 3.0) * 0.999999999999999) <= d) ? ((2.0 * a) * (d + ((8.0 * h) / 15.0))) : NaN));
+  }
+  return _step_force_maxwell_of_concave_quartic(t, d, a, h, E, tau);
+};
+
+const step_force_maxwell = (t, d, a, h, E, tau) => {
+  if ((!((0.0 <= d && d < Infinity) && (0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < E && E < Infinity) && (0.0 < tau && tau < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_force_maxwell(t, d, a, h, E, tau) : NaN);
+};
+
+const relaxation_kelvin_voigt = (t, E, eta) => {
+  if ((t > 0.0)) {
+    return E;
+  }
+  return Infinity;
+};
+
+const _step_force_kelvin_voigt_of_concave_quartic = (t, d, a, h, E, eta) => {
+  return (relaxation_kelvin_voigt(t, E, eta) * _force(d, a, h, 1.0));
+};
+
+const _step_force_kelvin_voigt = (t, d, a, h, E, eta) => {
+  if (((t > 1e-30) && (t < 1e+30) && (d > 1e-30) && (d < 1e+30) && (a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (E > 1e-30) && (E < 1e+30) && (eta > 1e-30) && (eta < 1e+30))) {
+    return (((t > 0.0) ? E : Infinity) * (((((4.0 * h) / 3.0) * 0.999999999999999) <= d) ? ((2.0 * a) * (d + ((8.0 * h) / 15.0))) : NaN));
+  }
+  return _step_force_kelvin_voigt_of_concave_quartic(t, d, a, h, E, eta);
+};
+
+const step_force_kelvin_voigt = (t, d, a, h, E, eta) => {
+  if ((!((0.0 <= d && d < Infinity) && (0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < E && E < Infinity) && (0.0 < eta && eta < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_force_kelvin_voigt(t, d, a, h, E, eta) : NaN);
+};
+
+const relaxation_standard_solid = (t, E_inf, E_1, tau) => {
+  return (E_inf + (E_1 * Math.exp(((-t) / tau))));
+};
+
+const _step_force_standard_solid_of_concave_quartic = (t, d, a, h, E_inf, E_1, tau) => {
+  return (relaxation_standard_solid(t, E_inf, E_1, tau) * _force(d, a, h, 1.0));
+};
+
+const _step_force_standard_solid = (t, d, a, h, E_inf, E_1, tau) => {
+  if (((t > 1e-30) && (t < 1e+30) && (d > 1e-30) && (d < 1e+30) && (a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (E_inf > 1e-30) && (E_inf < 1e+30) && (E_1 > 1e-30) && (E_1 < 1e+30) && (tau > 1e-30) && (tau < 1e+30))) {
+    return ((E_inf + (E_1 * Math.exp(((-t) / tau)))) * (((((4.0 * h) / 3.0) * 0.999999999999999) <= d) ? ((2.0 * a) * (d + ((8.0 * h) / 15.0))) : NaN));
+  }
+  return _step_force_standard_solid_of_concave_quartic(t, d, a, h, E_inf, E_1, tau);
+};
+
+const step_force_standard_solid = (t, d, a, h, E_inf, E_1, tau) => {
+  if ((!((0.0 <= d && d < Infinity) && (0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < E_inf && E_inf < Infinity) && (0.0 <= E_1 && E_1 < Infinity) && (0.0 < tau && tau < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_force_standard_solid(t, d, a, h, E_inf, E_1, tau) : NaN);
+};
+
+const relaxation_power_creep = (t, E, alpha, t_0) => {
+  let v8;
+  v8 = (3.141592653589793 * alpha);
+  return (((E * Math.pow((t_0 / t), alpha)) * Math.sin(v8)) / v8);
+};
+
+const _step_force_power_creep_of_concave_quartic = (t, d, a, h, E, alpha, t_0) => {
+  return (relaxation_power_creep(t, E, alpha, t_0) * _force(d, a, h, 1.0));
+};
+
+const _step_force_power_creep = (t, d, a, h, E, alpha, t_0) => {
+  let v11;
+  if (((t > 1e-30) && (t < 1e+30) && (d > 1e-30) && (d < 1e+30) && (a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (E > 1e-30) && (E < 1e+30) && (alpha > 1e-30) && (alpha < 1.0) && (t_0 > 1e-30) && (t_0 < 1e+30))) {
+    v11 = (3.141592653589793 * alpha);
+    return ((((E * Math.pow((t_0 / t), alpha)) * Math.sin(v11)) / v11) * (((((4.0 * h) / 3.0) * 0.999999999999999) <= d) ? ((2.0 * a) * (d + ((8.0 * h) / 15.0))) : NaN));
+  }
+  return _step_force_power_creep_of_concave_quartic(t, d, a, h, E, alpha, t_0);
+};
+
+const step_force_power_creep = (t, d, a, h, E, alpha, t_0) => {
+  if ((!((0.0 <= d && d < Infinity) && (0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < E && E < Infinity) && (0.0 < alpha && alpha < 1.0) && (0.0 < t_0 && t_0 < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_force_power_creep(t, d, a, h, E, alpha, t_0) : NaN);
+};
+
+const once = { pull_off: math.kept(pull_off), pull_off_of_concave_quartic: math.kept(pull_off_of_concave_quartic) };
 const formulas = {
   "U": (v) => energy(v.d, v.a, v.h, v.E_star),
   "Fr": (v) => load_within(v.r, v.d, v.a, v.h, v.E_star),
@@ -495,6 +1067,23 @@ const formulas = {
   "dmin": (v) => minimum_depth(v.a, v.h),
   "Fmin": (v) => minimum_force(v.a, v.h, v.E_star),
   "adh.Dl": (v) => retraction(v.a, v.E_star, v.dgamma),
+  "adh.Fc": (v) => (once.pull_off('force', v.a, v.h, v.E_star, v.dgamma).force ?? NaN),
+  "adh.dc": (v) => (once.pull_off('force', v.a, v.h, v.E_star, v.dgamma).depth ?? NaN),
+  "fgm.F": (v) => force_of_concave_quartic(v.d, v.a, v.h, v.H, v.k),
+  "fgm.p": (v) => pressure_of_concave_quartic(v.r, v.d, v.a, v.h, v.H, v.k),
+  "fgm.w": (v) => displacement_of_concave_quartic(v.r, v.d, v.a, v.h, v.k),
+  "fgm.k": (v) => stiffness_of_concave_quartic(v.a, v.h, v.H, v.k),
+  "fgm.dF": (v) => depth_from_force_of_concave_quartic(v.F, v.a, v.h, v.H, v.k),
+  "fgm.rz": (v) => zero_radius_of_concave_quartic(v.a, v.h, v.k),
+  "fgm.dmin": (v) => minimum_depth_of_concave_quartic(v.a, v.h, v.k),
+  "fgm.Fmin": (v) => minimum_force_of_concave_quartic(v.a, v.h, v.H, v.k),
+  "fgm.adh.Dl": (v) => retraction_of_concave_quartic(v.a, v.H, v.k, v.dgamma),
+  "fgm.adh.Fc": (v) => (once.pull_off_of_concave_quartic('force', v.a, v.h, v.H, v.k, v.dgamma).force ?? NaN),
+  "fgm.adh.dc": (v) => (once.pull_off_of_concave_quartic('force', v.a, v.h, v.H, v.k, v.dgamma).depth ?? NaN),
+  "vis.step_mx": (v) => step_force_maxwell(v.t, v.d, v.a, v.h, v.E_law, v.tau),
+  "vis.step_kv": (v) => step_force_kelvin_voigt(v.t, v.d, v.a, v.h, v.E_law, v.eta),
+  "vis.step_sls": (v) => step_force_standard_solid(v.t, v.d, v.a, v.h, v.E_inf, v.E_1, v.tau),
+  "vis.step_pc": (v) => step_force_power_creep(v.t, v.d, v.a, v.h, v.E_law, v.alpha, v.t_0),
 };
 window.calculator = { ...{
  "fields": [
@@ -554,6 +1143,28 @@ window.calculator = { ...{
    "value": 0.3
   },
   {
+   "name": "H",
+   "tex": "H",
+   "meaning": "foundation modulus of the graded half-space",
+   "unit": "Pa m^(-k)",
+   "rule": "H > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 50000000.0
+  },
+  {
+   "name": "k",
+   "tex": "k",
+   "meaning": "exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space",
+   "unit": "1",
+   "rule": "-1 < k < 1",
+   "low": -1.0,
+   "high": 1.0,
+   "closed": "",
+   "value": 0.3
+  },
+  {
    "name": "dgamma",
    "tex": "\\Delta\\gamma",
    "meaning": "work of separation per unit area",
@@ -574,6 +1185,94 @@ window.calculator = { ...{
    "high": null,
    "closed": "low",
    "value": ""
+  },
+  {
+   "name": "E_law",
+   "tex": "E",
+   "meaning": "effective (plane-strain) modulus of the viscoelastic law",
+   "unit": "Pa",
+   "rule": "E_law > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 3000000.0
+  },
+  {
+   "name": "E_inf",
+   "tex": "E_\\infty",
+   "meaning": "long-time effective modulus",
+   "unit": "Pa",
+   "rule": "E_inf > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 1000000.0
+  },
+  {
+   "name": "E_1",
+   "tex": "E_1",
+   "meaning": "relaxing part of the effective modulus",
+   "unit": "Pa",
+   "rule": "E_1 >= 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "low",
+   "value": 2000000.0
+  },
+  {
+   "name": "tau",
+   "tex": "\\tau",
+   "meaning": "relaxation time",
+   "unit": "s",
+   "rule": "tau > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 1.0
+  },
+  {
+   "name": "eta",
+   "tex": "\\eta",
+   "meaning": "effective viscosity",
+   "unit": "Pa s",
+   "rule": "eta > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 1000000.0
+  },
+  {
+   "name": "alpha",
+   "tex": "\\alpha",
+   "meaning": "exponent of power-law creep",
+   "unit": "1",
+   "rule": "0 < alpha < 1",
+   "low": 0.0,
+   "high": 1.0,
+   "closed": "",
+   "value": 0.3
+  },
+  {
+   "name": "t_0",
+   "tex": "t_0",
+   "meaning": "reference time of power-law creep",
+   "unit": "s",
+   "rule": "t_0 > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 1.0
+  },
+  {
+   "name": "t",
+   "tex": "t",
+   "meaning": "time since first contact",
+   "unit": "s",
+   "rule": "t >= 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "low",
+   "value": 1.0
   }
  ],
  "state": [
@@ -611,7 +1310,8 @@ window.calculator = { ...{
    ],
    "unit": "J",
    "place": "",
-   "suffix": "U"
+   "suffix": "U",
+   "medium": 0
   },
   "Fr": {
    "gives": "F_r",
@@ -624,7 +1324,8 @@ window.calculator = { ...{
    ],
    "unit": "N",
    "place": "inside",
-   "suffix": "Fr"
+   "suffix": "Fr",
+   "medium": 0
   },
   "F": {
    "gives": "F",
@@ -636,7 +1337,8 @@ window.calculator = { ...{
    ],
    "unit": "N",
    "place": "",
-   "suffix": "F"
+   "suffix": "F",
+   "medium": 0
   },
   "p": {
    "gives": "p",
@@ -649,7 +1351,8 @@ window.calculator = { ...{
    ],
    "unit": "Pa",
    "place": "inside",
-   "suffix": "p"
+   "suffix": "p",
+   "medium": 0
   },
   "w": {
    "gives": "w",
@@ -661,7 +1364,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "outside",
-   "suffix": "w"
+   "suffix": "w",
+   "medium": 0
   },
   "k": {
    "gives": "stiffness",
@@ -672,7 +1376,8 @@ window.calculator = { ...{
    ],
    "unit": "N/m",
    "place": "",
-   "suffix": "k"
+   "suffix": "k",
+   "medium": 0
   },
   "dF": {
    "gives": "d",
@@ -684,7 +1389,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": "dF"
+   "suffix": "dF",
+   "medium": 0
   },
   "rz": {
    "gives": "r_zero",
@@ -694,7 +1400,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": "rz"
+   "suffix": "rz",
+   "medium": 0
   },
   "dmin": {
    "gives": "d",
@@ -704,7 +1411,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": "dmin"
+   "suffix": "dmin",
+   "medium": 0
   },
   "Fmin": {
    "gives": "F",
@@ -715,7 +1423,8 @@ window.calculator = { ...{
    ],
    "unit": "N",
    "place": "",
-   "suffix": "Fmin"
+   "suffix": "Fmin",
+   "medium": 0
   },
   "adh.Dl": {
    "gives": "retraction",
@@ -726,7 +1435,244 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.Fc": {
+   "gives": "F",
+   "needs": [
+    "a",
+    "h",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.dc": {
+   "gives": "d",
+   "needs": [
+    "a",
+    "h",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "fgm.F": {
+   "gives": "F",
+   "needs": [
+    "d",
+    "a",
+    "h",
+    "H",
+    "k"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "F",
+   "medium": 1
+  },
+  "fgm.p": {
+   "gives": "p",
+   "needs": [
+    "r",
+    "d",
+    "a",
+    "h",
+    "H",
+    "k"
+   ],
+   "unit": "Pa",
+   "place": "inside",
+   "suffix": "p",
+   "medium": 1
+  },
+  "fgm.w": {
+   "gives": "w",
+   "needs": [
+    "r",
+    "d",
+    "a",
+    "h",
+    "k"
+   ],
+   "unit": "m",
+   "place": "outside",
+   "suffix": "w",
+   "medium": 1
+  },
+  "fgm.k": {
+   "gives": "stiffness",
+   "needs": [
+    "a",
+    "h",
+    "H",
+    "k"
+   ],
+   "unit": "N/m",
+   "place": "",
+   "suffix": "k",
+   "medium": 1
+  },
+  "fgm.dF": {
+   "gives": "d",
+   "needs": [
+    "F",
+    "a",
+    "h",
+    "H",
+    "k"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "dF",
+   "medium": 1
+  },
+  "fgm.rz": {
+   "gives": "r_zero",
+   "needs": [
+    "a",
+    "h",
+    "k"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "rz",
+   "medium": 1
+  },
+  "fgm.dmin": {
+   "gives": "d",
+   "needs": [
+    "a",
+    "h",
+    "k"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "dmin",
+   "medium": 1
+  },
+  "fgm.Fmin": {
+   "gives": "F",
+   "needs": [
+    "a",
+    "h",
+    "H",
+    "k"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "Fmin",
+   "medium": 1
+  },
+  "fgm.adh.Dl": {
+   "gives": "retraction",
+   "needs": [
+    "a",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.Fc": {
+   "gives": "F",
+   "needs": [
+    "a",
+    "h",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.dc": {
+   "gives": "d",
+   "needs": [
+    "a",
+    "h",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "vis.step_mx": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "d",
+    "a",
+    "h",
+    "E_law",
+    "tau"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.step_kv": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "d",
+    "a",
+    "h",
+    "E_law",
+    "eta"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.step_sls": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "d",
+    "a",
+    "h",
+    "E_inf",
+    "E_1",
+    "tau"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.step_pc": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "d",
+    "a",
+    "h",
+    "E_law",
+    "alpha",
+    "t_0"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
   }
  },
  "place": "r"

@@ -25,7 +25,10 @@ const math = {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
     return Array.from({ length: Math.max(Math.ceil((stop - start) / step), 0) }, (_, count) => start + step * count);
   },
-  zip: (x, y) => x.map((value, place) => [value, y[place]]),
+  zip: (x, y) => x.slice(0, y.length).map((value, place) => [value, y[place]]),
+  // named fields that are told by their places too
+  record: (fields) => Object.assign(Object.values(fields), fields),
+  replaced: (x, changes) => math.record({ ...Object.fromEntries(Object.entries(x).slice(x.length)), ...changes }),
   enumerate: (x, start = 0) => Array.from(x, (value, place) => [place + start, value]),
   repeated: (x, count) => math.range(count).flatMap(() => x),
   reversed: (x) => [...x].reverse(),
@@ -84,6 +87,63 @@ const math = {
     bits.setBigInt64(0, bits.getBigInt64(0) + (x > 0.0 === to > x ? 1n : -1n));
     return bits.getFloat64(0);
   },
+  halfway: (low, high) => {
+    const bits = new DataView(new ArrayBuffer(16));
+    bits.setFloat64(0, low);
+    bits.setFloat64(8, high);
+    const first = bits.getBigInt64(0);
+    bits.setBigInt64(0, first + (bits.getBigInt64(8) - first) / 2n);
+    return bits.getFloat64(0);
+  },
+  // radii around waves: decades, sixteen in each wave, decades
+  radii_of_waves: (length, reach) => {
+    const waves = Math.floor(math.clip(Number.isFinite(reach / length) ? reach / length : 4.0, 4.0, 4096.0));
+    const inner = [...math.range(15).map((place) => Math.pow(10.0, 10 * place - 150)), ...math.range(1, 16 * waves + 1).map((x) => x / 16.0)];
+    return [...inner, ...math.range(10).map((place) => (waves + 1.0) * Math.pow(10.0, 10 * place))].map((x) => x * length);
+  },
+  // what was found for the last arguments
+  kept: (of) => {
+    const known = new Map();
+    return (...given) => {
+      const key = given.join();
+      if (known.size > 99) known.clear();
+      if (!known.has(key)) known.set(key, of(...given));
+      return known.get(key);
+    };
+  },
+  // the branches on which a steepness is above a level, each end refined where the sign changes between two radii; what
+  // was sampled is that of a geometry, and keeps what was found in it
+  branches: (change, far) => (steepness, sampled, level) => {
+    const { radii, end } = sampled;
+    const steep = (sampled.steep ??= radii.map((a) => steepness(a)));
+    sampled.found ??= math.kept((level) => math.searched(change, far, steepness, radii, steep, end, level));
+    return sampled.found(level);
+  },
+  searched: (change, far, steepness, radii, steep, end, level) => {
+    const above = (a) => Math.log(steepness(a) / level);
+    const [first, last] = [[], []];
+    if (steep[0] >= level) first.push(radii[0]);
+    for (let place = 1; place < radii.length; place++) {
+      const [before, after] = [steep[place - 1], steep[place]];
+      const up = after >= level;
+      if (up !== before >= level && (up || radii[place - 1] < far)) {
+        const found = change(above, radii[place - 1], radii[place], Math.log(before / level), Math.log(after / level), up ? 1.0 : -1.0);
+        (up ? first : last).push(found);
+      }
+    }
+    const largest = math.nextafter(radii.at(-1), 0.0);
+    return { first: first.map((a) => Math.min(a, largest)), last: [...last, end].slice(0, first.length) };
+  },
+  lowest: ({ first }, load) => {
+    const loads = first.map(load);
+    const known = loads.filter((x) => x === x);
+    return known.length ? first[loads.indexOf(Math.min(...known))] : NaN;
+  },
+  springs: (pairs, under) => (left, low, high) => {
+    const first = left(low);
+    const terms = pairs.map(([node, weight]) => weight * left(low + (high - low) * node));
+    return (high - low) * (math.fsum(terms) + under * first);
+  },
   // nodes and weights on (0, 1) for an interval of a length, in panels beyond the last one
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
@@ -99,6 +159,19 @@ const math = {
   integral_by_panels: (integrand, stop, width, count) => {
     const panels = panelsOf(Math.max(stop / width, 1.0));
     return math.fsum(pairs(count, panels).map(([node, weight]) => weight * integrand(node * stop))) * stop;
+  },
+  both: (integrand, stop, width = 1.0, lengths = STRIPS) => {
+    if (stop !== stop) return [stop, stop];
+    const panels = panelsOf(Math.max(stop / width / lengths.at(-1)[0], 1.0));
+    const [first, second] = [[], []];
+    for (let start = 0; start < panels; start++) {
+      for (const [node, weight] of math.rule(lengths)(stop / width / panels)) {
+        const [x, y] = integrand(((start + node) / panels) * stop);
+        first.push((weight / panels) * x);
+        second.push((weight / panels) * y);
+      }
+    }
+    return [math.fsum(first) * stop, math.fsum(second) * stop];
   },
   integral_by_length: (...given) => math.integral_in_strip(...given),
   in_groups: (rule_of) => (slope, parameters, ...given) => {
@@ -714,6 +787,19 @@ const radius_from_force_of_cone = (F, theta, E_star, dgamma) => {
   return _radius_from_force_of_cone(F, theta, E_star, dgamma);
 };
 
+const PullOff = (radius, force, depth) => math.record({ radius, force, depth });
+
+const pull_off = (control = 'force', theta, E_star, dgamma) => {
+  let depth, force, radius;
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  radius = _pull_off_radius(theta, E_star, dgamma, control);
+  force = ((radius >= 0.0) ? _pull_off_force(radius, theta, E_star, dgamma, control) : NaN);
+  depth = ((radius >= 0.0) ? _pull_off_depth(radius, theta, E_star, dgamma, control) : NaN);
+  return PullOff(radius, force, depth);
+};
+
 const gained_share = (c, a, n) => {
   return (-Math.expm1(((-n) * ((a > c) ? math.log1p(((a - c) / c)) : 0.0))));
 };
@@ -874,6 +960,1203 @@ const full_slip_displacement = (a, theta, E_star, G_star, mu) => {
   return ((a >= 0.0) ? _full_slip_displacement(a, theta, E_star, G_star, mu) : NaN);
 };
 
+const _gamma = (x) => {
+  return math.vectorize(math.gamma)(x);
+};
+
+const FAR = 40.0;
+
+const _near = (x, e, steps) => {
+  let before, i, lost, part, total;
+  [total, lost] = [0.0, 0.0];
+  for (i of math.range((steps - 1), (-1), (-1))) {
+    part = (Math.log1p((e / (x + i))) - lost);
+    [before, total] = [total, (total + part)];
+    lost = ((total - before) - part);
+  }
+  return total;
+};
+
+const _to_the_last_digit = (terms) => {
+  let before, lost, part, term, total;
+  [total, lost] = [0.0, 0.0];
+  for (term of terms) {
+    part = (term - lost);
+    [before, total] = [total, (total + part)];
+    lost = ((total - before) - part);
+  }
+  return total;
+};
+
+const series = (e) => {
+  let first, second, third;
+  first = (((-e) * ((e * e) - 1.0)) / 24.0);
+  second = (((((e * (e - 1.0)) * (e - 2.0)) * (e - 3.0)) * (e + 1.0)) / 5760.0);
+  third = ((((second * (e - 4.0)) * (e - 5.0)) / (-504.0)) * (((35.0 * Math.pow((e + 1.0), 2)) + (42.0 * (e + 1.0))) + 16.0));
+  return [first, (second * ((5.0 * e) + 7.0)), third];
+};
+
+const _rising = (x, e) => {
+  let first, near, second, shifts, steps, third, w;
+  [x, e] = [math.asarray(x), math.asarray(e)];
+  steps = Math.ceil(math.maximum((FAR - x), 0.0));
+  if ((math.ndim((x + e)) === 0)) {
+    near = _near(Number(x), Number(e), Math.trunc(steps));
+  } else {
+    shifts = math.reversed(math.range(Math.trunc(math.maximum(steps))));
+    near = _to_the_last_digit([...shifts].map((i) => math.where((i < steps), Math.log1p((e / (x + i))), 0.0)));
+  }
+  w = ((x + steps) + ((e - 1.0) / 2.0));
+  [first, second, third] = series(e);
+  return ((Math.pow(w, e) * (1.0 + ((first + ((second + (third / (w * w))) / (w * w))) / (w * w)))) * Math.exp((-near)));
+};
+
+const power_factor = math.kept((n, k) => {
+  let half;
+  half = ((1.0 + k) / 2.0);
+  return (((((1.0 + k) + n) / (1.0 + k)) * _gamma((1.0 + half))) / _rising((1.0 + (n / 2.0)), half));
+});
+
+const power_depth = (a, n, k) => {
+  return (power_factor(n, k) * Math.pow(a, n));
+};
+
+const _depth_4 = (a, theta, k) => {
+  return (power_depth(a, 1.0, k) * Math.tan(theta));
+};
+
+const depth_2 = (a, theta, k) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _depth_4(a, theta, k) : NaN);
+};
+
+const raised = (x, k) => {
+  if ((x > 0.0)) {
+    return (x * Math.pow(x, k));
+  }
+  return 0.0;
+};
+
+const power_force = (a, n, k) => {
+  return (((power_factor(n, k) * (n / (n + (1.0 + k)))) * Math.pow(a, n)) * raised(a, k));
+};
+
+const _force_4 = (a, theta, H, k) => {
+  let growth;
+  growth = (power_force(a, 1.0, k) * Math.tan(theta));
+  return (((2.0 * H) / (1.0 + k)) * growth);
+};
+
+const force_2 = (a, theta, H, k) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _force_4(a, theta, H, k) : NaN);
+};
+
+const _EVEN = 16;
+
+const _even_growth = (r, a, n, k) => {
+  let half, j, share, square, total;
+  [half, square] = [((1.0 + k) / 2.0), Math.pow((r / a), 2)];
+  total = (0.5 / half);
+  for (j of math.range(1, Math.floor(n / 2))) {
+    total = ((0.5 + ((j * square) * total)) / (j + half));
+  }
+  share = (((a - r) / a) * ((a + r) / a));
+  return ((Math.sqrt(share) * Math.pow(share, (k / 2.0))) * total);
+};
+
+const axis_power = (n, k) => {
+  if ((n < 0.5)) {
+    return ((k - 1.0) + n);
+  }
+  return ((n - 1.0) + k);
+};
+
+const NODES = 64;
+
+const weighted = (smooth, stop, power, count = NODES, above = null) => {
+  let end, pairs;
+  if ((power >= (-0.25))) {
+    return math.fsum([...math.products(power, count, false)].map(([node, weight]) => (weight * smooth((node * stop)))));
+  }
+  above = ((above == null) ? (1.0 + power) : above);
+  end = smooth(0.0);
+  pairs = math.products(above, count, true);
+  return ((end / above) + math.fsum([...pairs].map(([node, weight]) => (weight * (smooth((node * stop)) - end)))));
+};
+
+const RULE_0 = math.rule([[Infinity, 64]]);
+
+const _steep = (rest, near, m, half) => {
+  let node, v11, v12, v14, v15, v25, v26, v6, v7, weight;
+  v6 = (Number.isFinite(rest) ? rest : Infinity);
+  v7 = Math.abs(m);
+  v11 = (42.0 / (((v7 > 20.0) || (v7 !== v7)) ? v7 : 20.0));
+  v12 = (((v6 < v11) || (v6 !== v6)) ? v6 : v11);
+  v15 = (-m);
+  v26 = [];
+  for ([node, weight] of RULE_0((v12 / 1.0))) {
+    v14 = (node * v12);
+    v25 = (Math.exp((v15 * v14)) * Math.pow((-Math.expm1(((-2.0) * (near + (v6 - v14))))), half));
+    v26.push((weight * v25));
+  }
+  v26 = (math.fsum(v26) * v12);
+  return v26;
+};
+
+const _tail = (rest, near, m, half, far) => {
+  let v10, v107, v109, v11, v110, v111, v118, v12, v133, v135, v136, v137, v144, v158, v160, v161, v162, v169, v184, v186, v187, v188, v19, v195, v209, v21, v211, v212, v213, v220, v235, v237, v238, v239, v246, v260, v262, v263, v264, v271, v286, v288, v289, v290, v297, v31, v311, v313, v314, v315, v322, v33, v337, v339, v34, v340, v341, v348, v35, v362, v364, v365, v366, v373, v388, v390, v391, v392, v399, v413, v415, v416, v417, v42, v424, v439, v441, v442, v443, v450, v464, v466, v467, v468, v475, v490, v492, v493, v494, v501, v512, v515, v517, v518, v519, v526, v543, v544, v545, v552, v56, v58, v59, v60, v67, v7, v82, v84, v85, v86, v93;
+  v7 = (Number.isFinite(rest) ? rest : 0.0);
+  v10 = (m - 0.0);
+  v11 = (v10 === 0.0);
+  if (v11) {
+    v19 = v7;
+  } else {
+    v12 = Math.abs(v10);
+    v19 = ((-Math.expm1(((-v12) * v7))) / (v11 ? 1.0 : v12));
+  }
+  v21 = (near + v7);
+  v31 = (0.0 - half);
+  v33 = (m - 2.0);
+  v34 = (v33 === 0.0);
+  if (v34) {
+    v42 = v7;
+  } else {
+    v35 = Math.abs(v33);
+    v42 = ((-Math.expm1(((-v35) * v7))) / (v34 ? 1.0 : v35));
+  }
+  v56 = ((v31 * (1.0 - half)) / 2.0);
+  v58 = (m - 4.0);
+  v59 = (v58 === 0.0);
+  if (v59) {
+    v67 = v7;
+  } else {
+    v60 = Math.abs(v58);
+    v67 = ((-Math.expm1(((-v60) * v7))) / (v59 ? 1.0 : v60));
+  }
+  v82 = ((v56 * (2.0 - half)) / 3.0);
+  v84 = (m - 6.0);
+  v85 = (v84 === 0.0);
+  if (v85) {
+    v93 = v7;
+  } else {
+    v86 = Math.abs(v84);
+    v93 = ((-Math.expm1(((-v86) * v7))) / (v85 ? 1.0 : v86));
+  }
+  v107 = ((v82 * (3.0 - half)) / 4.0);
+  v109 = (m - 8.0);
+  v110 = (v109 === 0.0);
+  if (v110) {
+    v118 = v7;
+  } else {
+    v111 = Math.abs(v109);
+    v118 = ((-Math.expm1(((-v111) * v7))) / (v110 ? 1.0 : v111));
+  }
+  v133 = ((v107 * (4.0 - half)) / 5.0);
+  v135 = (m - 10.0);
+  v136 = (v135 === 0.0);
+  if (v136) {
+    v144 = v7;
+  } else {
+    v137 = Math.abs(v135);
+    v144 = ((-Math.expm1(((-v137) * v7))) / (v136 ? 1.0 : v137));
+  }
+  v158 = ((v133 * (5.0 - half)) / 6.0);
+  v160 = (m - 12.0);
+  v161 = (v160 === 0.0);
+  if (v161) {
+    v169 = v7;
+  } else {
+    v162 = Math.abs(v160);
+    v169 = ((-Math.expm1(((-v162) * v7))) / (v161 ? 1.0 : v162));
+  }
+  v184 = ((v158 * (6.0 - half)) / 7.0);
+  v186 = (m - 14.0);
+  v187 = (v186 === 0.0);
+  if (v187) {
+    v195 = v7;
+  } else {
+    v188 = Math.abs(v186);
+    v195 = ((-Math.expm1(((-v188) * v7))) / (v187 ? 1.0 : v188));
+  }
+  v209 = ((v184 * (7.0 - half)) / 8.0);
+  v211 = (m - 16.0);
+  v212 = (v211 === 0.0);
+  if (v212) {
+    v220 = v7;
+  } else {
+    v213 = Math.abs(v211);
+    v220 = ((-Math.expm1(((-v213) * v7))) / (v212 ? 1.0 : v213));
+  }
+  v235 = ((v209 * (8.0 - half)) / 9.0);
+  v237 = (m - 18.0);
+  v238 = (v237 === 0.0);
+  if (v238) {
+    v246 = v7;
+  } else {
+    v239 = Math.abs(v237);
+    v246 = ((-Math.expm1(((-v239) * v7))) / (v238 ? 1.0 : v239));
+  }
+  v260 = ((v235 * (9.0 - half)) / 10.0);
+  v262 = (m - 20.0);
+  v263 = (v262 === 0.0);
+  if (v263) {
+    v271 = v7;
+  } else {
+    v264 = Math.abs(v262);
+    v271 = ((-Math.expm1(((-v264) * v7))) / (v263 ? 1.0 : v264));
+  }
+  v286 = ((v260 * (10.0 - half)) / 11.0);
+  v288 = (m - 22.0);
+  v289 = (v288 === 0.0);
+  if (v289) {
+    v297 = v7;
+  } else {
+    v290 = Math.abs(v288);
+    v297 = ((-Math.expm1(((-v290) * v7))) / (v289 ? 1.0 : v290));
+  }
+  v311 = ((v286 * (11.0 - half)) / 12.0);
+  v313 = (m - 24.0);
+  v314 = (v313 === 0.0);
+  if (v314) {
+    v322 = v7;
+  } else {
+    v315 = Math.abs(v313);
+    v322 = ((-Math.expm1(((-v315) * v7))) / (v314 ? 1.0 : v315));
+  }
+  v337 = ((v311 * (12.0 - half)) / 13.0);
+  v339 = (m - 26.0);
+  v340 = (v339 === 0.0);
+  if (v340) {
+    v348 = v7;
+  } else {
+    v341 = Math.abs(v339);
+    v348 = ((-Math.expm1(((-v341) * v7))) / (v340 ? 1.0 : v341));
+  }
+  v362 = ((v337 * (13.0 - half)) / 14.0);
+  v364 = (m - 28.0);
+  v365 = (v364 === 0.0);
+  if (v365) {
+    v373 = v7;
+  } else {
+    v366 = Math.abs(v364);
+    v373 = ((-Math.expm1(((-v366) * v7))) / (v365 ? 1.0 : v366));
+  }
+  v388 = ((v362 * (14.0 - half)) / 15.0);
+  v390 = (m - 30.0);
+  v391 = (v390 === 0.0);
+  if (v391) {
+    v399 = v7;
+  } else {
+    v392 = Math.abs(v390);
+    v399 = ((-Math.expm1(((-v392) * v7))) / (v391 ? 1.0 : v392));
+  }
+  v413 = ((v388 * (15.0 - half)) / 16.0);
+  v415 = (m - 32.0);
+  v416 = (v415 === 0.0);
+  if (v416) {
+    v424 = v7;
+  } else {
+    v417 = Math.abs(v415);
+    v424 = ((-Math.expm1(((-v417) * v7))) / (v416 ? 1.0 : v417));
+  }
+  v439 = ((v413 * (16.0 - half)) / 17.0);
+  v441 = (m - 34.0);
+  v442 = (v441 === 0.0);
+  if (v442) {
+    v450 = v7;
+  } else {
+    v443 = Math.abs(v441);
+    v450 = ((-Math.expm1(((-v443) * v7))) / (v442 ? 1.0 : v443));
+  }
+  v464 = ((v439 * (17.0 - half)) / 18.0);
+  v466 = (m - 36.0);
+  v467 = (v466 === 0.0);
+  if (v467) {
+    v475 = v7;
+  } else {
+    v468 = Math.abs(v466);
+    v475 = ((-Math.expm1(((-v468) * v7))) / (v467 ? 1.0 : v468));
+  }
+  v490 = ((v464 * (18.0 - half)) / 19.0);
+  v492 = (m - 38.0);
+  v493 = (v492 === 0.0);
+  if (v493) {
+    v501 = v7;
+  } else {
+    v494 = Math.abs(v492);
+    v501 = ((-Math.expm1(((-v494) * v7))) / (v493 ? 1.0 : v494));
+  }
+  v512 = ((((((((((((((((((((0.0 + (v19 * ((v10 > 0.0) ? Math.exp(((-0.0) * v21)) : (Math.exp(((-0.0) * near)) * far)))) + ((v31 * v42) * ((v33 > 0.0) ? Math.exp(((-2.0) * v21)) : (Math.exp(((-2.0) * near)) * far)))) + ((v56 * v67) * ((v58 > 0.0) ? Math.exp(((-4.0) * v21)) : (Math.exp(((-4.0) * near)) * far)))) + ((v82 * v93) * ((v84 > 0.0) ? Math.exp(((-6.0) * v21)) : (Math.exp(((-6.0) * near)) * far)))) + ((v107 * v118) * ((v109 > 0.0) ? Math.exp(((-8.0) * v21)) : (Math.exp(((-8.0) * near)) * far)))) + ((v133 * v144) * ((v135 > 0.0) ? Math.exp(((-10.0) * v21)) : (Math.exp(((-10.0) * near)) * far)))) + ((v158 * v169) * ((v160 > 0.0) ? Math.exp(((-12.0) * v21)) : (Math.exp(((-12.0) * near)) * far)))) + ((v184 * v195) * ((v186 > 0.0) ? Math.exp(((-14.0) * v21)) : (Math.exp(((-14.0) * near)) * far)))) + ((v209 * v220) * ((v211 > 0.0) ? Math.exp(((-16.0) * v21)) : (Math.exp(((-16.0) * near)) * far)))) + ((v235 * v246) * ((v237 > 0.0) ? Math.exp(((-18.0) * v21)) : (Math.exp(((-18.0) * near)) * far)))) + ((v260 * v271) * ((v262 > 0.0) ? Math.exp(((-20.0) * v21)) : (Math.exp(((-20.0) * near)) * far)))) + ((v286 * v297) * ((v288 > 0.0) ? Math.exp(((-22.0) * v21)) : (Math.exp(((-22.0) * near)) * far)))) + ((v311 * v322) * ((v313 > 0.0) ? Math.exp(((-24.0) * v21)) : (Math.exp(((-24.0) * near)) * far)))) + ((v337 * v348) * ((v339 > 0.0) ? Math.exp(((-26.0) * v21)) : (Math.exp(((-26.0) * near)) * far)))) + ((v362 * v373) * ((v364 > 0.0) ? Math.exp(((-28.0) * v21)) : (Math.exp(((-28.0) * near)) * far)))) + ((v388 * v399) * ((v390 > 0.0) ? Math.exp(((-30.0) * v21)) : (Math.exp(((-30.0) * near)) * far)))) + ((v413 * v424) * ((v415 > 0.0) ? Math.exp(((-32.0) * v21)) : (Math.exp(((-32.0) * near)) * far)))) + ((v439 * v450) * ((v441 > 0.0) ? Math.exp(((-34.0) * v21)) : (Math.exp(((-34.0) * near)) * far)))) + ((v464 * v475) * ((v466 > 0.0) ? Math.exp(((-36.0) * v21)) : (Math.exp(((-36.0) * near)) * far)))) + ((v490 * v501) * ((v492 > 0.0) ? Math.exp(((-38.0) * v21)) : (Math.exp(((-38.0) * near)) * far))));
+  v515 = ((v490 * (19.0 - half)) / 20.0);
+  v517 = (m - 40.0);
+  v518 = (v517 === 0.0);
+  if (v518) {
+    v526 = v7;
+  } else {
+    v519 = Math.abs(v517);
+    v526 = ((-Math.expm1(((-v519) * v7))) / (v518 ? 1.0 : v519));
+  }
+  v543 = (m - 42.0);
+  v544 = (v543 === 0.0);
+  if (v544) {
+    v552 = v7;
+  } else {
+    v545 = Math.abs(v543);
+    v552 = ((-Math.expm1(((-v545) * v7))) / (v544 ? 1.0 : v545));
+  }
+  return ((v512 + ((v515 * v526) * ((v517 > 0.0) ? Math.exp(((-40.0) * v21)) : (Math.exp(((-40.0) * near)) * far)))) + ((((v515 * (20.0 - half)) / 21.0) * v552) * ((v543 > 0.0) ? Math.exp(((-42.0) * v21)) : (Math.exp(((-42.0) * near)) * far))));
+};
+
+const power_growth = (r, a, n, k) => {
+  let above, far, first, half, length, m, near, place, rest, smooth, total;
+  if (((typeof n === "number") && ((n % 2.0) === 0.0) && (n <= _EVEN))) {
+    return _even_growth(r, a, Math.trunc(n), k);
+  }
+  m = axis_power(n, k);
+  length = Math.log1p(((a - r) / r));
+  length = (Number.isFinite(length) ? length : (Math.log(a) - Math.log(r)));
+  near = math.minimum(math.minimum(length, 1.0), (20.0 / math.maximum(Math.abs(m), 1e-300)));
+  [half, above] = [((k - 1.0) / 2.0), ((k + 1.0) / 2.0)];
+  smooth = (x) => {
+    let shrink;
+    shrink = ((x > 0.0) ? ((-Math.expm1(((-2.0) * x))) / ((x > 0.0) ? x : 1.0)) : 2.0);
+    return (Math.pow(shrink, half) * Math.exp(((-m) * (near - x))));
+  };
+  rest = (length - near);
+  place = math.minimum(((r / a) * Math.exp(near)), 1.0);
+  far = ((Math.pow(place, n) / place) * Math.pow(place, k));
+  first = (((rest > 0.0) ? far : 1.0) * Math.pow(near, above));
+  first = (first * weighted(smooth, near, half, undefined, above));
+  total = (first + ((Math.abs(m) > 20.0) ? _steep(rest, near, m, half) : _tail(rest, near, m, half, far)));
+  return ((r > 0.0) ? total : ((m > 0.0) ? (1.0 / ((m > 0.0) ? m : 1.0)) : Infinity));
+};
+
+const power_pressure = (r, a, n, k) => {
+  return (((power_factor(n, k) * n) * ((Math.pow(a, n) / a) * Math.pow(a, k))) * power_growth(r, a, n, k));
+};
+
+const _pressure_4 = (r, a, theta, H, k) => {
+  let growth, inside;
+  inside = math.minimum(r, a);
+  growth = (power_pressure(inside, a, 1.0, k) * Math.tan(theta));
+  return ((r < a) ? ((H / Math.PI) * growth) : 0.0);
+};
+
+const pressure_2 = (r, a, theta, H, k) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure_4(r, a, theta, H, k) : 0.0) : NaN);
+};
+
+const power_excess = math.kept((n, k) => {
+  let change, e, first, half, high, log, low, m, second, third, u, v, x;
+  [x, e, half] = [(n / 2.0), ((1.0 - k) / 2.0), ((1.0 + k) / 2.0)];
+  log = math.zeros_like((x * e));
+  for (m of math.range(Math.trunc(FAR))) {
+    log = (log + Math.log1p(((x / ((m + 1.0) + x)) * (e / (m + half)))));
+  }
+  [low, high] = [(FAR + (half / 2.0)), ((FAR + (half / 2.0)) + x)];
+  [u, v] = [(1.0 / (low * low)), (1.0 / (high * high))];
+  [first, second, third] = series(e);
+  change = (((((-x) * (low + high)) * u) * v) * ((first + (second * (u + v))) + (third * (((u * u) + (u * v)) + (v * v)))));
+  log = ((log + (e * Math.log1p((x / low)))) + Math.log1p((change / ((1.0 + (first * u)) + ((second * u) * u)))));
+  return math.where((log < 0.5), Math.expm1(log), (power_factor(n, k) - 1.0));
+});
+
+const difference_root = (x, y) => {
+  let v2;
+  v2 = (x - y);
+  return math.sqrt(((((v2 > 0.0) || (v2 !== v2)) ? v2 : 0.0) * (x + y)));
+};
+
+const STEEP = 16.0;
+
+const EDGE = [[3.0, 32], [11.0, 64]];
+
+const NODES_of_displacement = 64;
+
+const from_edge = (shape, a, q, c, stop, k, steep = false) => {
+  let count, first, half, length, longest, ratio, second, smooth;
+  ratio = (c / q);
+  smooth = (v, sinh) => {
+    let z;
+    z = (c * sinh);
+    return ((shape(difference_root(a, z), z) * Math.cosh(v)) / (1.0 + Math.pow((ratio * sinh), 2)));
+  };
+  first = (v) => {
+    let sinh;
+    sinh = Math.sinh(v);
+    return (smooth(v, sinh) * Math.pow(((v > 0.0) ? (sinh / ((v > 0.0) ? v : 1.0)) : 1.0), k));
+  };
+  second = (v) => {
+    let sinh;
+    sinh = Math.sinh((half + v));
+    return (smooth((half + v), sinh) * Math.pow(sinh, k));
+  };
+  longest = (steep ? Infinity : Number(math.maximum((Number.isFinite(stop) ? stop : 0.0))));
+  for ([length, count] of EDGE) {
+    if ((longest <= length)) {
+      return ((raised(ratio, k) * raised(stop, k)) * weighted(first, stop, k, count));
+    }
+  }
+  half = (stop / 2.0);
+  return (raised(ratio, k) * ((raised(half, k) * weighted(first, half, k)) + math.integral(second, half, NODES_of_displacement)));
+};
+
+const _from_edge_of_power = (shape, q, a, n, k) => {
+  return from_edge(shape, a, q, q, Math.asinh(((a / q) / 2.0)), k, Boolean((n > STEEP)));
+};
+
+const _SMOOTHING = 8;
+
+const kernel = (sine, cosine, ratio, k) => {
+  let v9;
+  v9 = (ratio * sine);
+  return (((ratio * Math.pow(ratio, k)) * (Math.pow(sine, k) * cosine)) / (1.0 + (v9 * v9)));
+};
+
+const SPLIT = 0.5235987755982988;
+
+const _to_axis = (q) => {
+  return math.full(math.repeated([1], math.ndim(q)), ((Math.PI / 2.0) - SPLIT));
+};
+
+const punch_scale = (k) => {
+  return (0.6366197723675814 * Math.sin((1.5707963267948966 * (1.0 - Math.abs(k)))));
+};
+
+const _beside_power = (r, a, n, k, excess) => {
+  let near, q, reach, smooth;
+  q = difference_root(r, a);
+  near = _from_edge_of_power(((s, z) => (excess - Math.expm1(((n / 2.0) * Math.log1p((-Math.pow((z / a), 2))))))), q, a, n, k);
+  smooth = (u) => {
+    let over, x;
+    x = (reach * Math.pow(u, _SMOOTHING));
+    over = ((((excess - Math.expm1((n * Math.log(Math.sin(x))))) * _SMOOTHING) * reach) * Math.pow(u, (_SMOOTHING - 1)));
+    return (over * kernel(Math.cos(x), Math.sin(x), (a / q), k));
+  };
+  reach = _to_axis(q);
+  return (punch_scale(k) * (near + math.integral(smooth, math.ones_like(reach), NODES_of_displacement)));
+};
+
+const power_displacement = (r, a, n, k) => {
+  let excess, over, ratio;
+  ratio = ((r < (0.5 * a)) ? Math.log((r / a)) : ((r < a) ? Math.log1p(((r - a) / a)) : 0.0));
+  excess = power_excess(n, k);
+  over = ((r > a) ? _beside_power(r, a, n, k, excess) : (excess - Math.expm1((n * ratio))));
+  return ((a > 0.0) ? (Math.pow(a, n) * over) : 0.0);
+};
+
+const _displacement_4 = (r, a, theta, k) => {
+  return (power_displacement(r, a, 1.0, k) * Math.tan(theta));
+};
+
+const displacement_2 = (r, a, theta, k) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_4(r, a, theta, k) : 0.0) : NaN);
+};
+
+const punch_stiffness = (a, H, k) => {
+  return (((2.0 * H) / (1.0 + k)) * ((a > 0.0) ? (a * Math.pow(a, k)) : 0.0));
+};
+
+const _stiffness_3 = (a, H, k) => {
+  return punch_stiffness(a, H, k);
+};
+
+const _stiffness_2 = (a, H, k, theta = 0.7853981633974483) => {
+  if (((a > 1e-30) && (a < 1e+30) && (H > 1e-30) && (H < 1e+30) && (k > 1e-30) && (k < 1.0) && (theta > 1e-30) && (theta < 1.5707963267948966))) {
+    return (((2.0 * H) / (1.0 + k)) * ((a > 0.0) ? (a * Math.pow(a, k)) : 0.0));
+  }
+  return _stiffness_3(a, H, k);
+};
+
+const stiffness_of_cone = (a, theta, H, k) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _stiffness_2(a, H, k) : NaN);
+};
+
+const power_mean = (a, n, k) => {
+  let m, power;
+  m = axis_power(n, k);
+  power = ((a > 0.0) ? ((Math.pow(a, n) / a) * Math.pow(a, k)) : ((m > 0.0) ? 0.0 : ((m < 0.0) ? Infinity : 1.0)));
+  return ((power_factor(n, k) * (n / (n + (1.0 + k)))) * power);
+};
+
+const _mean_pressure_2 = (a, theta, H, k) => {
+  let growth;
+  growth = (power_mean(a, 1.0, k) * Math.tan(theta));
+  return ((((2.0 * H) / (1.0 + k)) / Math.PI) * growth);
+};
+
+const mean_pressure_of_cone = (a, theta, H, k) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _mean_pressure_2(a, theta, H, k) : NaN);
+};
+
+const _radius_from_depth_2 = (d, theta, k) => {
+  return (d / _depth_4(math.ones_like(d), theta, k));
+};
+
+const radius_from_depth_2 = (d, theta, k) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return ((d >= 0.0) ? _radius_from_depth_2(d, theta, k) : NaN);
+};
+
+const _radius_from_force_3 = (F, theta, H, k) => {
+  return Math.pow((F / _force_4(math.ones_like(F), theta, H, k)), (1.0 / (2.0 + k)));
+};
+
+const radius_from_force_2 = (F, theta, H, k) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return ((F >= 0.0) ? _radius_from_force_3(F, theta, H, k) : NaN);
+};
+
+const _force_from_depth_of_cone = (d, theta, H, k) => {
+  let stiffness;
+  stiffness = punch_stiffness(_radius_from_depth_2(d, theta, k), H, k);
+  return (((d > 0.0) & Number.isFinite(d)) ? (d * (stiffness * (1.0 / (1.0 + (1.0 + k))))) : d);
+};
+
+const force_from_depth_of_cone = (d, theta, H, k) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return ((d >= 0.0) ? _force_from_depth_of_cone(d, theta, H, k) : NaN);
+};
+
+const _depth_from_force_2 = (F, theta, H, k) => {
+  let stiffness;
+  stiffness = punch_stiffness(_radius_from_force_3(F, theta, H, k), H, k);
+  return (((F > 0.0) & Number.isFinite(F)) ? (F / (stiffness * (1.0 / (1.0 + (1.0 + k))))) : F);
+};
+
+const depth_from_force_of_cone = (F, theta, H, k) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return ((F >= 0.0) ? _depth_from_force_2(F, theta, H, k) : NaN);
+};
+
+const graded_retraction = (a, H, k, dgamma) => {
+  if ((a > 0.0)) {
+    return ((math.sqrt(((6.283185307179586 * dgamma) / H)) * math.sqrt(a)) * math.sqrt(Math.pow(a, (-k))));
+  }
+  return 0.0;
+};
+
+const retraction_of_cone = (a, H, k, dgamma) => {
+  if ((!((0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? graded_retraction(a, H, k, dgamma) : NaN);
+};
+
+const _depth_5 = (a, theta, H, k, dgamma) => {
+  return (_depth_4(a, theta, k) - graded_retraction(a, H, k, dgamma));
+};
+
+const depth_3 = (a, theta, H, k, dgamma) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _depth_5(a, theta, H, k, dgamma) : NaN);
+};
+
+const _force_5 = (a, theta, H, k, dgamma) => {
+  return (_force_4(a, theta, H, k) - (punch_stiffness(a, H, k) * graded_retraction(a, H, k, dgamma)));
+};
+
+const force_3 = (a, theta, H, k, dgamma) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _force_5(a, theta, H, k, dgamma) : NaN);
+};
+
+const tension_of_punch = (r, a, H, k, dgamma) => {
+  let v17, v19, v23, v33;
+  v17 = ((a > 0.0) ? ((math.sqrt(((6.283185307179586 * dgamma) / H)) * math.sqrt(a)) * math.sqrt(Math.pow(a, (-k)))) : 0.0);
+  if ((v17 > 0.0)) {
+    if ((r < a)) {
+      v19 = (a - r);
+      v23 = math.sqrt(((((v19 > 0.0) || (v19 !== v19)) ? v19 : 0.0) * (a + r)));
+      v33 = (((H / 3.141592653589793) * Math.pow(v23, k)) / v23);
+    } else {
+      v33 = ((r > a) ? 0.0 : Infinity);
+    }
+    return (v17 * v33);
+  }
+  return 0.0;
+};
+
+const _pressure_5 = (r, a, theta, H, k, dgamma) => {
+  return (_pressure_4(r, a, theta, H, k) - tension_of_punch(r, a, H, k, dgamma));
+};
+
+const pressure_3 = (r, a, theta, H, k, dgamma) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure_5(r, a, theta, H, k, dgamma) : 0.0) : NaN);
+};
+
+const punch_share = (r, a, k) => {
+  let q, stop;
+  q = difference_root(r, a);
+  stop = Math.asinh((a / q));
+  return (punch_scale(k) * from_edge(((s, z) => math.ones_like(z)), a, q, q, stop, k));
+};
+
+const punch_displacement = (r, a, k) => {
+  return ((r > a) ? punch_share(r, a, k) : 1.0);
+};
+
+const _displacement_5 = (r, a, theta, H, k, dgamma) => {
+  return (_displacement_4(r, a, theta, k) - (graded_retraction(a, H, k, dgamma) * punch_displacement(r, a, k)));
+};
+
+const displacement_3 = (r, a, theta, H, k, dgamma) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_5(r, a, theta, H, k, dgamma) : 0.0) : NaN);
+};
+
+const power_rate = (t, n, k) => {
+  return ((power_factor(n, k) * n) * (Math.pow(t, n) / t));
+};
+
+const _rate = (a, theta, k) => {
+  return (power_rate(a, 1.0, k) * Math.tan(theta));
+};
+
+const STATIONARY = {'force': [3.0, 1.0], 'depth': [1.0, (-1.0)]};
+
+const stationary = (control, k) => {
+  let constant, slope;
+  [constant, slope] = STATIONARY[control];
+  return (constant + (slope * k));
+};
+
+const least_steepness = (control, H, k, dgamma) => {
+  return (stationary(control, k) * Math.sqrt(((Math.PI * dgamma) / (2.0 * H))));
+};
+
+const unloading_radius = (rate, p, H, k, dgamma, control) => {
+  return Math.pow((least_steepness(control, H, k, dgamma) / rate), (1.0 / (p - ((1.0 - k) / 2.0))));
+};
+
+const _pull_off_radius_of_cone = (theta, H, k, dgamma, control) => {
+  let own, rate;
+  rate = _rate(math.ones_like((H * k)), theta, k);
+  own = unloading_radius(rate, 1.0, H, k, dgamma, control);
+  return ((dgamma > 0.0) ? own : 0.0);
+};
+
+const _pull_off_depth_of_cone = (a, theta, H, k, dgamma, control) => {
+  return (_depth_4(a, theta, k) * (1.0 - ((2.0 * 1.0) / stationary(control, k))));
+};
+
+const _radius_from_depth_3 = (d, theta, H, k, dgamma) => {
+  let a_c, least, plain;
+  a_c = _pull_off_radius_of_cone(theta, H, k, dgamma, 'depth');
+  least = _pull_off_depth_of_cone(a_c, theta, H, k, dgamma, 'depth');
+  plain = _radius_from_depth_2(math.maximum(d, 0.0), theta, k);
+  return power_law_radius(d, a_c, least, 1.0, ((1.0 - k) / 2.0), plain);
+};
+
+const radius_from_depth_3 = (d, theta, H, k, dgamma) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return _radius_from_depth_3(d, theta, H, k, dgamma);
+};
+
+const _pull_off_force_of_cone = (a, theta, H, k, dgamma, control) => {
+  return (_force_4(a, theta, H, k) * (1.0 - ((2.0 * ((1.0 + 1.0) + k)) / stationary(control, k))));
+};
+
+const _radius_from_force_4 = (F, theta, H, k, dgamma) => {
+  let a_c, least, plain;
+  a_c = _pull_off_radius_of_cone(theta, H, k, dgamma, 'force');
+  least = _pull_off_force_of_cone(a_c, theta, H, k, dgamma, 'force');
+  plain = _radius_from_force_3(math.maximum(F, 0.0), theta, H, k);
+  return power_law_radius(F, a_c, least, ((1.0 + 1.0) + k), ((3.0 + k) / 2.0), plain);
+};
+
+const radius_from_force_3 = (F, theta, H, k, dgamma) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return _radius_from_force_4(F, theta, H, k, dgamma);
+};
+
+const pull_off_of_cone = (control = 'force', theta, H, k, dgamma) => {
+  let depth, force, radius;
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  radius = _pull_off_radius_of_cone(theta, H, k, dgamma, control);
+  force = ((radius >= 0.0) ? _pull_off_force_of_cone(radius, theta, H, k, dgamma, control) : NaN);
+  depth = ((radius >= 0.0) ? _pull_off_depth_of_cone(radius, theta, H, k, dgamma, control) : NaN);
+  return PullOff(radius, force, depth);
+};
+
+const DECAY = 42.0;
+
+const _span = (c, a, distance) => {
+  if ((a > c)) {
+    return (0.5 * math.log1p((((a - c) / distance) * ((a + c) / distance))));
+  }
+  return 0.0;
+};
+
+const PANEL = 9.0;
+
+const NODES_of_slip = 64;
+
+const _power_growth = (r, c, a, n, k) => {
+  let cut, end, falls, inner, integrand, last, lost, outer, side, start, stop, within;
+  [inner, outer] = [difference_root(c, r), difference_root(a, r)];
+  falls = ((n + (k - 1.0)) >= 0.0);
+  end = (falls ? a : c);
+  start = (falls ? outer : inner);
+  side = (1.0 - (2.0 * falls));
+  lost = (Math.pow((a / outer), 2) * (-Math.expm1((((-2.0) * DECAY) / math.maximum((n - 2.0), 0.001)))));
+  cut = ((-0.5) * Math.log1p((-math.minimum(lost, (1.0 - 1e-16)))));
+  last = (((n > 2.0) & (lost < 1.0)) ? cut : Infinity);
+  stop = math.minimum(_span(c, a, inner), last);
+  integrand = (w) => {
+    let base, change, distance;
+    distance = (start * Math.exp((side * w)));
+    base = (falls ? ((r * r) + (distance * distance)) : (c * c));
+    change = (0.5 * Math.log1p((((start * start) * Math.abs(Math.expm1(((2.0 * side) * w)))) / base)));
+    return Math.exp((side * (((n - 2.0) * change) + ((1.0 + k) * w))));
+  };
+  within = math.integral_by_panels(integrand, stop, (PANEL * math.ones_like(stop)), NODES_of_slip);
+  return ((((Math.pow(end, n) / end) / end) * raised(start, k)) * within);
+};
+
+const power_gain = (quantity, r, c, a, n, k) => {
+  if ((quantity === 'depth')) {
+    return (power_depth(a, n, k) * gained_share(c, a, n));
+  }
+  if ((quantity === 'force')) {
+    return (power_force(a, n, k) * gained_share(c, a, (n + (1.0 + k))));
+  }
+  return ((power_factor(n, k) * n) * _power_growth(r, c, a, n, k));
+};
+
+const _tangential_force_2 = (a, c, theta, H, k, mu) => {
+  let gain;
+  gain = (power_gain('force', 0.0, c, a, 1.0, k) * Math.tan(theta));
+  return ((mu * ((2.0 * H) / (1.0 + k))) * gain);
+};
+
+const tangential_force_of_cone = (a, c, theta, H, k, mu) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  if ((!(!(c > a)))) {
+    return NaN;
+  }
+  return (((a >= 0.0) && (c >= 0.0)) ? _tangential_force_2(a, c, theta, H, k, mu) : NaN);
+};
+
+const either = (condition, x, y) => {
+  if (Boolean(condition)) {
+    return x();
+  }
+  return (Boolean(condition) ? (condition ? x() : y()) : y());
+};
+
+const _traction_2 = (r, a, c, theta, H, k, mu) => {
+  let gain;
+  gain = () => {
+    let inside;
+    inside = math.minimum(r, c);
+    return (power_gain('pressure', inside, c, a, 1.0, k) * Math.tan(theta));
+  };
+  return (mu * either((r < c), (() => ((H / Math.PI) * gain())), (() => _pressure_4(r, a, theta, H, k))));
+};
+
+const traction_of_cone = (r, a, c, theta, H, k, mu) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  if ((!(!(c > a)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0) && (c >= 0.0)) ? ((r < Infinity) ? _traction_2(r, a, c, theta, H, k, mu) : 0.0) : NaN);
+};
+
+const _tangential_displacement_2 = (a, c, theta, H, H_x, k, mu) => {
+  let gain;
+  gain = (power_gain('depth', 0.0, c, a, 1.0, k) * Math.tan(theta));
+  return ((mu * (H / H_x)) * gain);
+};
+
+const tangential_displacement_of_cone = (a, c, theta, H, H_x, k, mu) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < H && H < Infinity) && (0.0 < H_x && H_x < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  if ((!(!(c > a)))) {
+    return NaN;
+  }
+  return (((a >= 0.0) && (c >= 0.0)) ? _tangential_displacement_2(a, c, theta, H, H_x, k, mu) : NaN);
+};
+
+const _stick_radius_2 = (F_x, a, theta, H, k, mu) => {
+  let F;
+  F = stick_force(_force_4(a, theta, H, k), F_x, mu);
+  return (((F_x === 0.0) & (a >= 0.0)) ? a : _radius_from_force_3(F, theta, H, k));
+};
+
+const stick_radius_of_cone = (F_x, a, theta, H, k, mu) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  return (((F_x >= 0.0) && (a >= 0.0)) ? _stick_radius_2(F_x, a, theta, H, k, mu) : NaN);
+};
+
+const _full_slip_displacement_2 = (a, theta, H, H_x, k, mu) => {
+  return ((mu * (H / H_x)) * _depth_4(a, theta, k));
+};
+
+const full_slip_displacement_of_cone = (a, theta, H, H_x, k, mu) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < H && H < Infinity) && (0.0 < H_x && H_x < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _full_slip_displacement_2(a, theta, H, H_x, k, mu) : NaN);
+};
+
+const SWITCH = 40.0;
+
+const TERMS = 170;
+
+const ROUNDING_of_relaxation = 5.551115123125783e-17;
+
+const fading = (x, m) => {
+  let high, k, low, more, tail, term, total;
+  low = math.minimum(x, SWITCH);
+  [term, total] = [Math.exp((-low)), Math.exp((-low))];
+  for (k of math.range(1, TERMS)) {
+    term = ((term * low) / k);
+    more = (term * (m / (m + k)));
+    total = (total + more);
+    if ((!Boolean((more > (ROUNDING_of_relaxation * total))))) {
+      break;
+    }
+  }
+  if ((!Boolean((x > SWITCH)))) {
+    return total;
+  }
+  high = math.maximum(x, SWITCH);
+  tail = math.integral(((y) => (m * Math.exp((((m - 1.0) * Math.log1p((-y))) - (high * y))))), ((0.999999 * SWITCH) / high), 64);
+  return ((x <= SWITCH) ? total : ((x < Infinity) ? tail : 0.0));
+};
+
+const ramp_maxwell = (t, m, E, tau) => {
+  return (E * fading((t / tau), m));
+};
+
+const _ramp_force_maxwell = (t, v, theta, E, tau) => {
+  let force;
+  force = (_force_from_depth((v * t), theta, 1.0) * ramp_maxwell(t, 2.0, E, tau));
+  return ((t === 0.0) ? 0.0 : force);
+};
+
+const ramp_force_maxwell = (t, theta, v, E, tau) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < v && v < Infinity) && (0.0 < E && E < Infinity) && (0.0 < tau && tau < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _ramp_force_maxwell(t, v, theta, E, tau) : NaN);
+};
+
+const relaxation_maxwell = (t, E, tau) => {
+  return (E * Math.exp(((-t) / tau)));
+};
+
+const _force_from_depth_2 = (d, theta, E_star) => {
+  return (((2 * E_star) / (Math.PI * Math.tan(theta))) * Math.pow(d, 2));
+};
+
+const _step_force_maxwell_of_cone = (t, d, theta, E, tau) => {
+  return (relaxation_maxwell(t, E, tau) * _force_from_depth_2(d, theta, 1.0));
+};
+
+const _step_force_maxwell = (t, d, theta, E, tau) => {
+  if (((t > 1e-30) && (t < 1e+30) && (d > 1e-30) && (d < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (E > 1e-30) && (E < 1e+30) && (tau > 1e-30) && (tau < 1e+30))) {
+    return ((E * Math.exp(((-t) / tau))) * ((2.0 / (3.141592653589793 * Math.tan(theta))) * (d * d)));
+  }
+  return _step_force_maxwell_of_cone(t, d, theta, E, tau);
+};
+
+const step_force_maxwell = (t, d, theta, E, tau) => {
+  if ((!((0.0 <= d && d < Infinity) && (0.0 < theta && theta < 1.5707963267948966) && (0.0 < E && E < Infinity) && (0.0 < tau && tau < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_force_maxwell(t, d, theta, E, tau) : NaN);
+};
+
+const creep_maxwell = (t, E, tau) => {
+  return ((1.0 + (t / tau)) / E);
+};
+
+const _step_load_radius_maxwell_of_cone = (t, F, theta, E, tau) => {
+  return _radius_from_force_2((F * creep_maxwell(t, E, tau)), theta, 1.0);
+};
+
+const _step_load_radius_maxwell = (t, F, theta, E, tau) => {
+  if (((t > 1e-30) && (t < 1e+30) && (F > 1e-30) && (F < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (E > 1e-30) && (E < 1e+30) && (tau > 1e-30) && (tau < 1e+30))) {
+    return Math.sqrt(((2.0 * (F * ((1.0 + (t / tau)) / E))) / (3.141592653589793 * Math.tan(theta))));
+  }
+  return _step_load_radius_maxwell_of_cone(t, F, theta, E, tau);
+};
+
+const step_load_radius_maxwell = (t, F, theta, E, tau) => {
+  if ((!((0.0 <= F && F < Infinity) && (0.0 < theta && theta < 1.5707963267948966) && (0.0 < E && E < Infinity) && (0.0 < tau && tau < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_load_radius_maxwell(t, F, theta, E, tau) : NaN);
+};
+
+const ramp_kelvin_voigt = (t, m, E, eta) => {
+  return (E + ((eta * m) / t));
+};
+
+const _ramp_force_kelvin_voigt_of_cone = (t, v, theta, E, eta) => {
+  let force;
+  force = (_force_from_depth_2((v * t), theta, 1.0) * ramp_kelvin_voigt(t, 2.0, E, eta));
+  return math.where((t === 0.0), 0.0, force);
+};
+
+const _ramp_force_kelvin_voigt = (t, v, theta, E, eta) => {
+  let v5;
+  if (((t > 1e-30) && (t < 1e+30) && (v > 1e-30) && (v < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (E > 1e-30) && (E < 1e+30) && (eta > 1e-30) && (eta < 1e+30))) {
+    if ((t === 0.0)) {
+      return 0.0;
+    }
+    v5 = (v * t);
+    return (((2.0 / (3.141592653589793 * Math.tan(theta))) * (v5 * v5)) * (E + ((eta * 2.0) / t)));
+  }
+  return _ramp_force_kelvin_voigt_of_cone(t, v, theta, E, eta);
+};
+
+const ramp_force_kelvin_voigt = (t, theta, v, E, eta) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < v && v < Infinity) && (0.0 < E && E < Infinity) && (0.0 < eta && eta < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _ramp_force_kelvin_voigt(t, v, theta, E, eta) : NaN);
+};
+
+const relaxation_kelvin_voigt = (t, E, eta) => {
+  if ((t > 0.0)) {
+    return E;
+  }
+  return Infinity;
+};
+
+const _step_force_kelvin_voigt_of_cone = (t, d, theta, E, eta) => {
+  return (relaxation_kelvin_voigt(t, E, eta) * _force_from_depth_2(d, theta, 1.0));
+};
+
+const _step_force_kelvin_voigt = (t, d, theta, E, eta) => {
+  if (((t > 1e-30) && (t < 1e+30) && (d > 1e-30) && (d < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (E > 1e-30) && (E < 1e+30) && (eta > 1e-30) && (eta < 1e+30))) {
+    return (((t > 0.0) ? E : Infinity) * ((2.0 / (3.141592653589793 * Math.tan(theta))) * (d * d)));
+  }
+  return _step_force_kelvin_voigt_of_cone(t, d, theta, E, eta);
+};
+
+const step_force_kelvin_voigt = (t, d, theta, E, eta) => {
+  if ((!((0.0 <= d && d < Infinity) && (0.0 < theta && theta < 1.5707963267948966) && (0.0 < E && E < Infinity) && (0.0 < eta && eta < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_force_kelvin_voigt(t, d, theta, E, eta) : NaN);
+};
+
+const creep_kelvin_voigt = (t, E, eta) => {
+  return ((-Math.expm1((((-E) * t) / eta))) / E);
+};
+
+const _step_load_radius_kelvin_voigt_of_cone = (t, F, theta, E, eta) => {
+  return _radius_from_force_2((F * creep_kelvin_voigt(t, E, eta)), theta, 1.0);
+};
+
+const _step_load_radius_kelvin_voigt = (t, F, theta, E, eta) => {
+  if (((t > 1e-30) && (t < 1e+30) && (F > 1e-30) && (F < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (E > 1e-30) && (E < 1e+30) && (eta > 1e-30) && (eta < 1e+30))) {
+    return Math.sqrt(((2.0 * (F * ((-Math.expm1((((-E) * t) / eta))) / E))) / (3.141592653589793 * Math.tan(theta))));
+  }
+  return _step_load_radius_kelvin_voigt_of_cone(t, F, theta, E, eta);
+};
+
+const step_load_radius_kelvin_voigt = (t, F, theta, E, eta) => {
+  if ((!((0.0 <= F && F < Infinity) && (0.0 < theta && theta < 1.5707963267948966) && (0.0 < E && E < Infinity) && (0.0 < eta && eta < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_load_radius_kelvin_voigt(t, F, theta, E, eta) : NaN);
+};
+
+const ramp_standard_solid = (t, m, E_inf, E_1, tau) => {
+  return (E_inf + (E_1 * fading((t / tau), m)));
+};
+
+const _ramp_force_standard_solid = (t, v, theta, E_inf, E_1, tau) => {
+  let force;
+  force = (_force_from_depth((v * t), theta, 1.0) * ramp_standard_solid(t, 2.0, E_inf, E_1, tau));
+  return ((t === 0.0) ? 0.0 : force);
+};
+
+const ramp_force_standard_solid = (t, theta, v, E_inf, E_1, tau) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < v && v < Infinity) && (0.0 < E_inf && E_inf < Infinity) && (0.0 <= E_1 && E_1 < Infinity) && (0.0 < tau && tau < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _ramp_force_standard_solid(t, v, theta, E_inf, E_1, tau) : NaN);
+};
+
+const relaxation_standard_solid = (t, E_inf, E_1, tau) => {
+  return (E_inf + (E_1 * Math.exp(((-t) / tau))));
+};
+
+const _step_force_standard_solid_of_cone = (t, d, theta, E_inf, E_1, tau) => {
+  return (relaxation_standard_solid(t, E_inf, E_1, tau) * _force_from_depth_2(d, theta, 1.0));
+};
+
+const _step_force_standard_solid = (t, d, theta, E_inf, E_1, tau) => {
+  if (((t > 1e-30) && (t < 1e+30) && (d > 1e-30) && (d < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (E_inf > 1e-30) && (E_inf < 1e+30) && (E_1 > 1e-30) && (E_1 < 1e+30) && (tau > 1e-30) && (tau < 1e+30))) {
+    return ((E_inf + (E_1 * Math.exp(((-t) / tau)))) * ((2.0 / (3.141592653589793 * Math.tan(theta))) * (d * d)));
+  }
+  return _step_force_standard_solid_of_cone(t, d, theta, E_inf, E_1, tau);
+};
+
+const step_force_standard_solid = (t, d, theta, E_inf, E_1, tau) => {
+  if ((!((0.0 <= d && d < Infinity) && (0.0 < theta && theta < 1.5707963267948966) && (0.0 < E_inf && E_inf < Infinity) && (0.0 <= E_1 && E_1 < Infinity) && (0.0 < tau && tau < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_force_standard_solid(t, d, theta, E_inf, E_1, tau) : NaN);
+};
+
+const creep_standard_solid = (t, E_inf, E_1, tau) => {
+  let v4;
+  v4 = (E_inf + E_1);
+  return ((1.0 / v4) - (((E_1 / v4) * Math.expm1((-((t / tau) * (E_inf / v4))))) / E_inf));
+};
+
+const _step_load_radius_standard_solid_of_cone = (t, F, theta, E_inf, E_1, tau) => {
+  return _radius_from_force_2((F * creep_standard_solid(t, E_inf, E_1, tau)), theta, 1.0);
+};
+
+const _step_load_radius_standard_solid = (t, F, theta, E_inf, E_1, tau) => {
+  let v6;
+  if (((t > 1e-30) && (t < 1e+30) && (F > 1e-30) && (F < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (E_inf > 1e-30) && (E_inf < 1e+30) && (E_1 > 1e-30) && (E_1 < 1e+30) && (tau > 1e-30) && (tau < 1e+30))) {
+    v6 = (E_inf + E_1);
+    return Math.sqrt(((2.0 * (F * ((1.0 / v6) - (((E_1 / v6) * Math.expm1((-((t / tau) * (E_inf / v6))))) / E_inf)))) / (3.141592653589793 * Math.tan(theta))));
+  }
+  return _step_load_radius_standard_solid_of_cone(t, F, theta, E_inf, E_1, tau);
+};
+
+const step_load_radius_standard_solid = (t, F, theta, E_inf, E_1, tau) => {
+  if ((!((0.0 <= F && F < Infinity) && (0.0 < theta && theta < 1.5707963267948966) && (0.0 < E_inf && E_inf < Infinity) && (0.0 <= E_1 && E_1 < Infinity) && (0.0 < tau && tau < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_load_radius_standard_solid(t, F, theta, E_inf, E_1, tau) : NaN);
+};
+
+const gamma_quotient = (x, y) => {
+  let quotient;
+  quotient = (x, y) => {
+    return ((x < 100.0) ? (math.gamma(x) / math.gamma(y)) : Math.exp((math.lgamma(x) - math.lgamma(y))));
+  };
+  return math.vectorize(quotient)(x, y);
+};
+
+const gamma = (x) => {
+  return math.vectorize(math.gamma)(x);
+};
+
+const ramp_power_creep = (t, m, E, alpha, t_0) => {
+  return (((E * Math.pow((t_0 / t), alpha)) * gamma_quotient((1.0 + m), ((1.0 + m) - alpha))) / gamma((1.0 + alpha)));
+};
+
+const _ramp_force_power_creep = (t, v, theta, E, alpha, t_0) => {
+  let force;
+  force = (_force_from_depth((v * t), theta, 1.0) * ramp_power_creep(t, 2.0, E, alpha, t_0));
+  return ((t === 0.0) ? 0.0 : force);
+};
+
+const ramp_force_power_creep = (t, theta, v, E, alpha, t_0) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < v && v < Infinity) && (0.0 < E && E < Infinity) && (0.0 < alpha && alpha < 1.0) && (0.0 < t_0 && t_0 < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _ramp_force_power_creep(t, v, theta, E, alpha, t_0) : NaN);
+};
+
+const relaxation_power_creep = (t, E, alpha, t_0) => {
+  let v8;
+  v8 = (3.141592653589793 * alpha);
+  return (((E * Math.pow((t_0 / t), alpha)) * Math.sin(v8)) / v8);
+};
+
+const _step_force_power_creep_of_cone = (t, d, theta, E, alpha, t_0) => {
+  return (relaxation_power_creep(t, E, alpha, t_0) * _force_from_depth_2(d, theta, 1.0));
+};
+
+const _step_force_power_creep = (t, d, theta, E, alpha, t_0) => {
+  let v10;
+  if (((t > 1e-30) && (t < 1e+30) && (d > 1e-30) && (d < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (E > 1e-30) && (E < 1e+30) && (alpha > 1e-30) && (alpha < 1.0) && (t_0 > 1e-30) && (t_0 < 1e+30))) {
+    v10 = (3.141592653589793 * alpha);
+    return ((((E * Math.pow((t_0 / t), alpha)) * Math.sin(v10)) / v10) * ((2.0 / (3.141592653589793 * Math.tan(theta))) * (d * d)));
+  }
+  return _step_force_power_creep_of_cone(t, d, theta, E, alpha, t_0);
+};
+
+const step_force_power_creep = (t, d, theta, E, alpha, t_0) => {
+  if ((!((0.0 <= d && d < Infinity) && (0.0 < theta && theta < 1.5707963267948966) && (0.0 < E && E < Infinity) && (0.0 < alpha && alpha < 1.0) && (0.0 < t_0 && t_0 < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_force_power_creep(t, d, theta, E, alpha, t_0) : NaN);
+};
+
+const creep_power_creep = (t, E, alpha, t_0) => {
+  return (Math.pow((t / t_0), alpha) / E);
+};
+
+const _step_load_radius_power_creep_of_cone = (t, F, theta, E, alpha, t_0) => {
+  return _radius_from_force_2((F * creep_power_creep(t, E, alpha, t_0)), theta, 1.0);
+};
+
+const _step_load_radius_power_creep = (t, F, theta, E, alpha, t_0) => {
+  if (((t > 1e-30) && (t < 1e+30) && (F > 1e-30) && (F < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (E > 1e-30) && (E < 1e+30) && (alpha > 1e-30) && (alpha < 1.0) && (t_0 > 1e-30) && (t_0 < 1e+30))) {
+    return Math.sqrt(((2.0 * (F * (Math.pow((t / t_0), alpha) / E))) / (3.141592653589793 * Math.tan(theta))));
+  }
+  return _step_load_radius_power_creep_of_cone(t, F, theta, E, alpha, t_0);
+};
+
+const step_load_radius_power_creep = (t, F, theta, E, alpha, t_0) => {
+  if ((!((0.0 <= F && F < Infinity) && (0.0 < theta && theta < 1.5707963267948966) && (0.0 < E && E < Infinity) && (0.0 < alpha && alpha < 1.0) && (0.0 < t_0 && t_0 < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_load_radius_power_creep(t, F, theta, E, alpha, t_0) : NaN);
+};
+
+const once = { pull_off: math.kept(pull_off), pull_off_of_cone: math.kept(pull_off_of_cone) };
 const formulas = {
   "d": (v) => depth(v.a, v.theta),
   "F": (v) => force(v.a, v.theta, v.E_star),
@@ -894,11 +2177,57 @@ const formulas = {
   "adh.w": (v) => displacement_of_cone(v.r, v.a, v.theta, v.E_star, v.dgamma),
   "adh.ad": (v) => radius_from_depth_of_cone(v.d, v.theta, v.E_star, v.dgamma),
   "adh.aF": (v) => radius_from_force_of_cone(v.F, v.theta, v.E_star, v.dgamma),
+  "adh.ac": (v) => (once.pull_off('force', v.theta, v.E_star, v.dgamma).radius ?? NaN),
+  "adh.Fc": (v) => (once.pull_off('force', v.theta, v.E_star, v.dgamma).force ?? NaN),
+  "adh.dc": (v) => (once.pull_off('force', v.theta, v.E_star, v.dgamma).depth ?? NaN),
+  "adh.am": (v) => (once.pull_off('depth', v.theta, v.E_star, v.dgamma).radius ?? NaN),
+  "adh.Fm": (v) => (once.pull_off('depth', v.theta, v.E_star, v.dgamma).force ?? NaN),
+  "adh.dm": (v) => (once.pull_off('depth', v.theta, v.E_star, v.dgamma).depth ?? NaN),
   "tan.F": (v) => tangential_force(v.a, v.c, v.theta, v.E_star, v.mu),
   "tan.tau": (v) => traction(v.r, v.a, v.c, v.theta, v.E_star, v.mu),
   "tan.u": (v) => tangential_displacement(v.a, v.c, v.theta, v.E_star, v.G_star, v.mu),
   "tan.c": (v) => stick_radius(v.F_x, v.a, v.theta, v.E_star, v.mu),
   "tan.us": (v) => full_slip_displacement(v.a, v.theta, v.E_star, v.G_star, v.mu),
+  "fgm.d": (v) => depth_2(v.a, v.theta, v.k),
+  "fgm.F": (v) => force_2(v.a, v.theta, v.H, v.k),
+  "fgm.p": (v) => pressure_2(v.r, v.a, v.theta, v.H, v.k),
+  "fgm.w": (v) => displacement_2(v.r, v.a, v.theta, v.k),
+  "fgm.k": (v) => stiffness_of_cone(v.a, v.theta, v.H, v.k),
+  "fgm.pm": (v) => mean_pressure_of_cone(v.a, v.theta, v.H, v.k),
+  "fgm.ad": (v) => radius_from_depth_2(v.d, v.theta, v.k),
+  "fgm.aF": (v) => radius_from_force_2(v.F, v.theta, v.H, v.k),
+  "fgm.Fd": (v) => force_from_depth_of_cone(v.d, v.theta, v.H, v.k),
+  "fgm.dF": (v) => depth_from_force_of_cone(v.F, v.theta, v.H, v.k),
+  "fgm.adh.Dl": (v) => retraction_of_cone(v.a, v.H, v.k, v.dgamma),
+  "fgm.adh.d": (v) => depth_3(v.a, v.theta, v.H, v.k, v.dgamma),
+  "fgm.adh.F": (v) => force_3(v.a, v.theta, v.H, v.k, v.dgamma),
+  "fgm.adh.p": (v) => pressure_3(v.r, v.a, v.theta, v.H, v.k, v.dgamma),
+  "fgm.adh.w": (v) => displacement_3(v.r, v.a, v.theta, v.H, v.k, v.dgamma),
+  "fgm.adh.ad": (v) => radius_from_depth_3(v.d, v.theta, v.H, v.k, v.dgamma),
+  "fgm.adh.aF": (v) => radius_from_force_3(v.F, v.theta, v.H, v.k, v.dgamma),
+  "fgm.adh.ac": (v) => (once.pull_off_of_cone('force', v.theta, v.H, v.k, v.dgamma).radius ?? NaN),
+  "fgm.adh.Fc": (v) => (once.pull_off_of_cone('force', v.theta, v.H, v.k, v.dgamma).force ?? NaN),
+  "fgm.adh.dc": (v) => (once.pull_off_of_cone('force', v.theta, v.H, v.k, v.dgamma).depth ?? NaN),
+  "fgm.adh.am": (v) => (once.pull_off_of_cone('depth', v.theta, v.H, v.k, v.dgamma).radius ?? NaN),
+  "fgm.adh.Fm": (v) => (once.pull_off_of_cone('depth', v.theta, v.H, v.k, v.dgamma).force ?? NaN),
+  "fgm.adh.dm": (v) => (once.pull_off_of_cone('depth', v.theta, v.H, v.k, v.dgamma).depth ?? NaN),
+  "fgm.tan.F": (v) => tangential_force_of_cone(v.a, v.c, v.theta, v.H, v.k, v.mu),
+  "fgm.tan.tau": (v) => traction_of_cone(v.r, v.a, v.c, v.theta, v.H, v.k, v.mu),
+  "fgm.tan.u": (v) => tangential_displacement_of_cone(v.a, v.c, v.theta, v.H, v.H_x, v.k, v.mu),
+  "fgm.tan.c": (v) => stick_radius_of_cone(v.F_x, v.a, v.theta, v.H, v.k, v.mu),
+  "fgm.tan.us": (v) => full_slip_displacement_of_cone(v.a, v.theta, v.H, v.H_x, v.k, v.mu),
+  "vis.ramp_mx": (v) => ramp_force_maxwell(v.t, v.theta, v.v, v.E_law, v.tau),
+  "vis.step_mx": (v) => step_force_maxwell(v.t, v.d, v.theta, v.E_law, v.tau),
+  "vis.load_mx": (v) => step_load_radius_maxwell(v.t, v.F, v.theta, v.E_law, v.tau),
+  "vis.ramp_kv": (v) => ramp_force_kelvin_voigt(v.t, v.theta, v.v, v.E_law, v.eta),
+  "vis.step_kv": (v) => step_force_kelvin_voigt(v.t, v.d, v.theta, v.E_law, v.eta),
+  "vis.load_kv": (v) => step_load_radius_kelvin_voigt(v.t, v.F, v.theta, v.E_law, v.eta),
+  "vis.ramp_sls": (v) => ramp_force_standard_solid(v.t, v.theta, v.v, v.E_inf, v.E_1, v.tau),
+  "vis.step_sls": (v) => step_force_standard_solid(v.t, v.d, v.theta, v.E_inf, v.E_1, v.tau),
+  "vis.load_sls": (v) => step_load_radius_standard_solid(v.t, v.F, v.theta, v.E_inf, v.E_1, v.tau),
+  "vis.ramp_pc": (v) => ramp_force_power_creep(v.t, v.theta, v.v, v.E_law, v.alpha, v.t_0),
+  "vis.step_pc": (v) => step_force_power_creep(v.t, v.d, v.theta, v.E_law, v.alpha, v.t_0),
+  "vis.load_pc": (v) => step_load_radius_power_creep(v.t, v.F, v.theta, v.E_law, v.alpha, v.t_0),
 };
 window.calculator = { ...{
  "fields": [
@@ -958,6 +2287,39 @@ window.calculator = { ...{
    "value": ""
   },
   {
+   "name": "H",
+   "tex": "H",
+   "meaning": "foundation modulus of the graded half-space",
+   "unit": "Pa m^(-k)",
+   "rule": "H > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 50000000.0
+  },
+  {
+   "name": "k",
+   "tex": "k",
+   "meaning": "exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space",
+   "unit": "1",
+   "rule": "-1 < k < 1",
+   "low": -1.0,
+   "high": 1.0,
+   "closed": "",
+   "value": 0.3
+  },
+  {
+   "name": "H_x",
+   "tex": "H_x",
+   "meaning": "tangential foundation modulus",
+   "unit": "Pa m^(-k)",
+   "rule": "H_x > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 30000000.0
+  },
+  {
    "name": "mu",
    "tex": "\\mu",
    "meaning": "coefficient of friction",
@@ -1011,6 +2373,105 @@ window.calculator = { ...{
    "high": null,
    "closed": "",
    "value": ""
+  },
+  {
+   "name": "E_law",
+   "tex": "E",
+   "meaning": "effective (plane-strain) modulus of the viscoelastic law",
+   "unit": "Pa",
+   "rule": "E_law > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 3000000.0
+  },
+  {
+   "name": "E_inf",
+   "tex": "E_\\infty",
+   "meaning": "long-time effective modulus",
+   "unit": "Pa",
+   "rule": "E_inf > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 1000000.0
+  },
+  {
+   "name": "E_1",
+   "tex": "E_1",
+   "meaning": "relaxing part of the effective modulus",
+   "unit": "Pa",
+   "rule": "E_1 >= 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "low",
+   "value": 2000000.0
+  },
+  {
+   "name": "tau",
+   "tex": "\\tau",
+   "meaning": "relaxation time",
+   "unit": "s",
+   "rule": "tau > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 1.0
+  },
+  {
+   "name": "eta",
+   "tex": "\\eta",
+   "meaning": "effective viscosity",
+   "unit": "Pa s",
+   "rule": "eta > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 1000000.0
+  },
+  {
+   "name": "alpha",
+   "tex": "\\alpha",
+   "meaning": "exponent of power-law creep",
+   "unit": "1",
+   "rule": "0 < alpha < 1",
+   "low": 0.0,
+   "high": 1.0,
+   "closed": "",
+   "value": 0.3
+  },
+  {
+   "name": "t_0",
+   "tex": "t_0",
+   "meaning": "reference time of power-law creep",
+   "unit": "s",
+   "rule": "t_0 > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 1.0
+  },
+  {
+   "name": "v",
+   "tex": "v",
+   "meaning": "speed of indentation",
+   "unit": "m/s",
+   "rule": "v > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 1e-05
+  },
+  {
+   "name": "t",
+   "tex": "t",
+   "meaning": "time since first contact",
+   "unit": "s",
+   "rule": "t >= 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "low",
+   "value": 1.0
   }
  ],
  "state": [
@@ -1057,7 +2518,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": "d"
+   "suffix": "d",
+   "medium": 0
   },
   "F": {
    "gives": "F",
@@ -1068,7 +2530,8 @@ window.calculator = { ...{
    ],
    "unit": "N",
    "place": "",
-   "suffix": "F"
+   "suffix": "F",
+   "medium": 0
   },
   "p": {
    "gives": "p",
@@ -1080,7 +2543,8 @@ window.calculator = { ...{
    ],
    "unit": "Pa",
    "place": "inside",
-   "suffix": "p"
+   "suffix": "p",
+   "medium": 0
   },
   "w": {
    "gives": "w",
@@ -1091,7 +2555,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "outside",
-   "suffix": "w"
+   "suffix": "w",
+   "medium": 0
   },
   "k": {
    "gives": "stiffness",
@@ -1102,7 +2567,8 @@ window.calculator = { ...{
    ],
    "unit": "N/m",
    "place": "",
-   "suffix": "k"
+   "suffix": "k",
+   "medium": 0
   },
   "pm": {
    "gives": "p_mean",
@@ -1113,7 +2579,8 @@ window.calculator = { ...{
    ],
    "unit": "Pa",
    "place": "",
-   "suffix": "pm"
+   "suffix": "pm",
+   "medium": 0
   },
   "U": {
    "gives": "U",
@@ -1124,7 +2591,8 @@ window.calculator = { ...{
    ],
    "unit": "J",
    "place": "",
-   "suffix": "U"
+   "suffix": "U",
+   "medium": 0
   },
   "Fr": {
    "gives": "F_r",
@@ -1136,7 +2604,8 @@ window.calculator = { ...{
    ],
    "unit": "N",
    "place": "inside",
-   "suffix": "Fr"
+   "suffix": "Fr",
+   "medium": 0
   },
   "ad": {
    "gives": "a",
@@ -1146,7 +2615,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": "ad"
+   "suffix": "ad",
+   "medium": 0
   },
   "aF": {
    "gives": "a",
@@ -1157,7 +2627,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": "aF"
+   "suffix": "aF",
+   "medium": 0
   },
   "Fd": {
    "gives": "F",
@@ -1168,7 +2639,8 @@ window.calculator = { ...{
    ],
    "unit": "N",
    "place": "",
-   "suffix": "Fd"
+   "suffix": "Fd",
+   "medium": 0
   },
   "dF": {
    "gives": "d",
@@ -1179,7 +2651,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": "dF"
+   "suffix": "dF",
+   "medium": 0
   },
   "adh.Dl": {
    "gives": "retraction",
@@ -1190,7 +2663,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
   },
   "adh.d": {
    "gives": "d",
@@ -1202,7 +2676,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
   },
   "adh.F": {
    "gives": "F",
@@ -1214,7 +2689,8 @@ window.calculator = { ...{
    ],
    "unit": "N",
    "place": "",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
   },
   "adh.p": {
    "gives": "p",
@@ -1227,7 +2703,8 @@ window.calculator = { ...{
    ],
    "unit": "Pa",
    "place": "inside",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
   },
   "adh.w": {
    "gives": "w",
@@ -1240,7 +2717,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "outside",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
   },
   "adh.ad": {
    "gives": "a",
@@ -1252,7 +2730,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
   },
   "adh.aF": {
    "gives": "a",
@@ -1264,7 +2743,80 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.ac": {
+   "gives": "a_c",
+   "needs": [
+    "theta",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.Fc": {
+   "gives": "F",
+   "needs": [
+    "theta",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.dc": {
+   "gives": "d",
+   "needs": [
+    "theta",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.am": {
+   "gives": "a_c",
+   "needs": [
+    "theta",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.Fm": {
+   "gives": "F",
+   "needs": [
+    "theta",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.dm": {
+   "gives": "d",
+   "needs": [
+    "theta",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
   },
   "tan.F": {
    "gives": "F_x",
@@ -1277,7 +2829,8 @@ window.calculator = { ...{
    ],
    "unit": "N",
    "place": "",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
   },
   "tan.tau": {
    "gives": "tau",
@@ -1291,7 +2844,8 @@ window.calculator = { ...{
    ],
    "unit": "Pa",
    "place": "inside",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
   },
   "tan.u": {
    "gives": "u_0",
@@ -1305,7 +2859,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
   },
   "tan.c": {
    "gives": "c",
@@ -1318,7 +2873,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
   },
   "tan.us": {
    "gives": "u_0",
@@ -1331,7 +2887,565 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
+  },
+  "fgm.d": {
+   "gives": "d",
+   "needs": [
+    "a",
+    "theta",
+    "k"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "d",
+   "medium": 1
+  },
+  "fgm.F": {
+   "gives": "F",
+   "needs": [
+    "a",
+    "theta",
+    "H",
+    "k"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "F",
+   "medium": 1
+  },
+  "fgm.p": {
+   "gives": "p",
+   "needs": [
+    "r",
+    "a",
+    "theta",
+    "H",
+    "k"
+   ],
+   "unit": "Pa",
+   "place": "inside",
+   "suffix": "p",
+   "medium": 1
+  },
+  "fgm.w": {
+   "gives": "w",
+   "needs": [
+    "r",
+    "a",
+    "theta",
+    "k"
+   ],
+   "unit": "m",
+   "place": "outside",
+   "suffix": "w",
+   "medium": 1
+  },
+  "fgm.k": {
+   "gives": "stiffness",
+   "needs": [
+    "a",
+    "theta",
+    "H",
+    "k"
+   ],
+   "unit": "N/m",
+   "place": "",
+   "suffix": "k",
+   "medium": 1
+  },
+  "fgm.pm": {
+   "gives": "p_mean",
+   "needs": [
+    "a",
+    "theta",
+    "H",
+    "k"
+   ],
+   "unit": "Pa",
+   "place": "",
+   "suffix": "pm",
+   "medium": 1
+  },
+  "fgm.ad": {
+   "gives": "a",
+   "needs": [
+    "d",
+    "theta",
+    "k"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "ad",
+   "medium": 1
+  },
+  "fgm.aF": {
+   "gives": "a",
+   "needs": [
+    "F",
+    "theta",
+    "H",
+    "k"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "aF",
+   "medium": 1
+  },
+  "fgm.Fd": {
+   "gives": "F",
+   "needs": [
+    "d",
+    "theta",
+    "H",
+    "k"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "Fd",
+   "medium": 1
+  },
+  "fgm.dF": {
+   "gives": "d",
+   "needs": [
+    "F",
+    "theta",
+    "H",
+    "k"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "dF",
+   "medium": 1
+  },
+  "fgm.adh.Dl": {
+   "gives": "retraction",
+   "needs": [
+    "a",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.d": {
+   "gives": "d",
+   "needs": [
+    "a",
+    "theta",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.F": {
+   "gives": "F",
+   "needs": [
+    "a",
+    "theta",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.p": {
+   "gives": "p",
+   "needs": [
+    "r",
+    "a",
+    "theta",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "Pa",
+   "place": "inside",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.w": {
+   "gives": "w",
+   "needs": [
+    "r",
+    "a",
+    "theta",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "outside",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.ad": {
+   "gives": "a",
+   "needs": [
+    "d",
+    "theta",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.aF": {
+   "gives": "a",
+   "needs": [
+    "F",
+    "theta",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.ac": {
+   "gives": "a_c",
+   "needs": [
+    "theta",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.Fc": {
+   "gives": "F",
+   "needs": [
+    "theta",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.dc": {
+   "gives": "d",
+   "needs": [
+    "theta",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.am": {
+   "gives": "a_c",
+   "needs": [
+    "theta",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.Fm": {
+   "gives": "F",
+   "needs": [
+    "theta",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.dm": {
+   "gives": "d",
+   "needs": [
+    "theta",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.tan.F": {
+   "gives": "F_x",
+   "needs": [
+    "a",
+    "c",
+    "theta",
+    "H",
+    "k",
+    "mu"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.tan.tau": {
+   "gives": "tau",
+   "needs": [
+    "r",
+    "a",
+    "c",
+    "theta",
+    "H",
+    "k",
+    "mu"
+   ],
+   "unit": "Pa",
+   "place": "inside",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.tan.u": {
+   "gives": "u_0",
+   "needs": [
+    "a",
+    "c",
+    "theta",
+    "H",
+    "H_x",
+    "k",
+    "mu"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.tan.c": {
+   "gives": "c",
+   "needs": [
+    "F_x",
+    "a",
+    "theta",
+    "H",
+    "k",
+    "mu"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.tan.us": {
+   "gives": "u_0",
+   "needs": [
+    "a",
+    "theta",
+    "H",
+    "H_x",
+    "k",
+    "mu"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "vis.ramp_mx": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "theta",
+    "v",
+    "E_law",
+    "tau"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.step_mx": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "d",
+    "theta",
+    "E_law",
+    "tau"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.load_mx": {
+   "gives": "a",
+   "needs": [
+    "t",
+    "F",
+    "theta",
+    "E_law",
+    "tau"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.ramp_kv": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "theta",
+    "v",
+    "E_law",
+    "eta"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.step_kv": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "d",
+    "theta",
+    "E_law",
+    "eta"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.load_kv": {
+   "gives": "a",
+   "needs": [
+    "t",
+    "F",
+    "theta",
+    "E_law",
+    "eta"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.ramp_sls": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "theta",
+    "v",
+    "E_inf",
+    "E_1",
+    "tau"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.step_sls": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "d",
+    "theta",
+    "E_inf",
+    "E_1",
+    "tau"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.load_sls": {
+   "gives": "a",
+   "needs": [
+    "t",
+    "F",
+    "theta",
+    "E_inf",
+    "E_1",
+    "tau"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.ramp_pc": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "theta",
+    "v",
+    "E_law",
+    "alpha",
+    "t_0"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.step_pc": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "d",
+    "theta",
+    "E_law",
+    "alpha",
+    "t_0"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.load_pc": {
+   "gives": "a",
+   "needs": [
+    "t",
+    "F",
+    "theta",
+    "E_law",
+    "alpha",
+    "t_0"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
   }
  },
  "place": "r"

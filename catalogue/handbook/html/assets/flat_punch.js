@@ -25,7 +25,10 @@ const math = {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
     return Array.from({ length: Math.max(Math.ceil((stop - start) / step), 0) }, (_, count) => start + step * count);
   },
-  zip: (x, y) => x.map((value, place) => [value, y[place]]),
+  zip: (x, y) => x.slice(0, y.length).map((value, place) => [value, y[place]]),
+  // named fields that are told by their places too
+  record: (fields) => Object.assign(Object.values(fields), fields),
+  replaced: (x, changes) => math.record({ ...Object.fromEntries(Object.entries(x).slice(x.length)), ...changes }),
   enumerate: (x, start = 0) => Array.from(x, (value, place) => [place + start, value]),
   repeated: (x, count) => math.range(count).flatMap(() => x),
   reversed: (x) => [...x].reverse(),
@@ -84,6 +87,63 @@ const math = {
     bits.setBigInt64(0, bits.getBigInt64(0) + (x > 0.0 === to > x ? 1n : -1n));
     return bits.getFloat64(0);
   },
+  halfway: (low, high) => {
+    const bits = new DataView(new ArrayBuffer(16));
+    bits.setFloat64(0, low);
+    bits.setFloat64(8, high);
+    const first = bits.getBigInt64(0);
+    bits.setBigInt64(0, first + (bits.getBigInt64(8) - first) / 2n);
+    return bits.getFloat64(0);
+  },
+  // radii around waves: decades, sixteen in each wave, decades
+  radii_of_waves: (length, reach) => {
+    const waves = Math.floor(math.clip(Number.isFinite(reach / length) ? reach / length : 4.0, 4.0, 4096.0));
+    const inner = [...math.range(15).map((place) => Math.pow(10.0, 10 * place - 150)), ...math.range(1, 16 * waves + 1).map((x) => x / 16.0)];
+    return [...inner, ...math.range(10).map((place) => (waves + 1.0) * Math.pow(10.0, 10 * place))].map((x) => x * length);
+  },
+  // what was found for the last arguments
+  kept: (of) => {
+    const known = new Map();
+    return (...given) => {
+      const key = given.join();
+      if (known.size > 99) known.clear();
+      if (!known.has(key)) known.set(key, of(...given));
+      return known.get(key);
+    };
+  },
+  // the branches on which a steepness is above a level, each end refined where the sign changes between two radii; what
+  // was sampled is that of a geometry, and keeps what was found in it
+  branches: (change, far) => (steepness, sampled, level) => {
+    const { radii, end } = sampled;
+    const steep = (sampled.steep ??= radii.map((a) => steepness(a)));
+    sampled.found ??= math.kept((level) => math.searched(change, far, steepness, radii, steep, end, level));
+    return sampled.found(level);
+  },
+  searched: (change, far, steepness, radii, steep, end, level) => {
+    const above = (a) => Math.log(steepness(a) / level);
+    const [first, last] = [[], []];
+    if (steep[0] >= level) first.push(radii[0]);
+    for (let place = 1; place < radii.length; place++) {
+      const [before, after] = [steep[place - 1], steep[place]];
+      const up = after >= level;
+      if (up !== before >= level && (up || radii[place - 1] < far)) {
+        const found = change(above, radii[place - 1], radii[place], Math.log(before / level), Math.log(after / level), up ? 1.0 : -1.0);
+        (up ? first : last).push(found);
+      }
+    }
+    const largest = math.nextafter(radii.at(-1), 0.0);
+    return { first: first.map((a) => Math.min(a, largest)), last: [...last, end].slice(0, first.length) };
+  },
+  lowest: ({ first }, load) => {
+    const loads = first.map(load);
+    const known = loads.filter((x) => x === x);
+    return known.length ? first[loads.indexOf(Math.min(...known))] : NaN;
+  },
+  springs: (pairs, under) => (left, low, high) => {
+    const first = left(low);
+    const terms = pairs.map(([node, weight]) => weight * left(low + (high - low) * node));
+    return (high - low) * (math.fsum(terms) + under * first);
+  },
   // nodes and weights on (0, 1) for an interval of a length, in panels beyond the last one
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
@@ -99,6 +159,19 @@ const math = {
   integral_by_panels: (integrand, stop, width, count) => {
     const panels = panelsOf(Math.max(stop / width, 1.0));
     return math.fsum(pairs(count, panels).map(([node, weight]) => weight * integrand(node * stop))) * stop;
+  },
+  both: (integrand, stop, width = 1.0, lengths = STRIPS) => {
+    if (stop !== stop) return [stop, stop];
+    const panels = panelsOf(Math.max(stop / width / lengths.at(-1)[0], 1.0));
+    const [first, second] = [[], []];
+    for (let start = 0; start < panels; start++) {
+      for (const [node, weight] of math.rule(lengths)(stop / width / panels)) {
+        const [x, y] = integrand(((start + node) / panels) * stop);
+        first.push((weight / panels) * x);
+        second.push((weight / panels) * y);
+      }
+    }
+    return [math.fsum(first) * stop, math.fsum(second) * stop];
   },
   integral_by_length: (...given) => math.integral_in_strip(...given),
   in_groups: (rule_of) => (slope, parameters, ...given) => {
@@ -158,6 +231,8 @@ const pairs = (count, panels) => {
   }
   return kept.get(key);
 };
+
+const HALVES = {8: [[0.019855071751231884, 0.05061426814518813], [0.10166676129318664, 0.11119051722668724], [0.2372337950418355, 0.15685332293894363], [0.4082826787521751, 0.181341891689181]], 16: [[0.005299532504175033, 0.013576229705877048], [0.02771248846338371, 0.031126761969323947], [0.06718439880608412, 0.04757925584124639], [0.12229779582249849, 0.06231448562776694], [0.19106187779867811, 0.07479799440828837], [0.2709916111713863, 0.08457825969750127], [0.35919822461037054, 0.09130170752246179], [0.4524937450811813, 0.09472530522753425]], 24: [[0.00240639000148932, 0.0061706148999936], [0.012635722014345251, 0.014265694314466832], [0.030862723998633622, 0.022138719408709904], [0.056792236497799485, 0.02964929245771839], [0.08999900701304854, 0.03667324070554015], [0.12993790421072282, 0.04309508076597664], [0.17595317403151223, 0.04880932605205694], [0.22728926430558022, 0.05372213505798282], [0.2831032461869774, 0.0577528340268628], [0.3424786601519183, 0.060835236463901696], [0.40444056626319186, 0.06291872817341415], [0.4679715535686972, 0.06396909767337608]], 32: [[0.0013680690752592183, 0.003509305004735048], [0.007194244227365833, 0.008137197365452835], [0.017618872206246784, 0.01269603265463103], [0.03254696203113015, 0.017136931456510716], [0.05183942211697394, 0.02141794901111334], [0.07531619313371501, 0.025499029631188087], [0.1027581020160288, 0.029342046739267772], [0.13390894062985517, 0.032911111388180925], [0.1684778665348924, 0.03617289705442425], [0.20614212137961885, 0.039096947893535156], [0.2465500455338853, 0.041655962113473374], [0.2893243619346823, 0.043826046502201906], [0.33406569885893617, 0.045586939347881945], [0.38035631887393145, 0.04692219954040228], [0.42776401920860174, 0.04781936003963743], [0.4758461671561308, 0.0482700442573639]], 64: [[0.0003474791321139303, 0.0008916403608482165], [0.0018299416140223604, 0.002073516630281234], [0.00449331426162784, 0.0032522289844891814], [0.008331873057687022, 0.0044233799131819735], [0.013336586105044517, 0.005584069730065564], [0.01949560017397314, 0.006731523948359321], [0.026794312570798593, 0.007863015238012359], [0.035215413934030215, 0.008975857887848672], [0.044738931460748595, 0.010067411576765104], [0.055342277002442944, 0.011135086904191627], [0.06700030092295359, 0.012176351284355437], [0.07968535187370981, 0.01318873485752733], [0.09336734243860122, 0.014169836307129742], [0.1080138205283293, 0.015117328536201239], [0.12359004636973406, 0.016028964177425775], [0.1400590749141946, 0.016902580918570803], [0.15738184347288336, 0.017736106628441193], [0.17551726437267132, 0.018527564270120023], [0.19442232241380336, 0.019275076589307813], [0.21405217689868297, 0.01997687056636017], [0.23436026799005272, 0.020631281621311764], [0.2552984271464735, 0.021236757561826795], [0.27681699137326793, 0.021791862264661725], [0.2988649210180042, 0.022295279081878283], [0.32138992083116596, 0.02274581396370907], [0.34433856400489454, 0.023142398290657208], [0.3676564188956163, 0.02348409140810501], [0.39128817812999644, 0.023770082857415154], [0.41517778978800357, 0.023999694298229155], [0.4392685903519397, 0.024172381117401477], [0.4635034391061005, 0.024287733720751714], [0.48782485366828776, 0.024345478504569862]], 128: [[8.755602643404277e-05, 0.00022469048014604518], [0.0004612700113120525, 0.0005229063396701744], [0.00113337568724299, 0.0008212515093345147], [0.0021036207325094065, 0.0011191442154813093], [0.003371443549893532, 0.0014163757357289956], [0.004936090754132808, 0.0017127630204551078], [0.006796628637706896, 0.002008127491869321], [0.008951945782140732, 0.0023022921283514775], [0.011400754268046306, 0.002595080916338165], [0.01414159062643171, 0.002886318771432849], [0.017172816784017365, 0.0031758315808535944], [0.020492621073150037, 0.003463446283449407], [0.024099019329367807, 0.0037489909628173643], [0.027989856084889908, 0.004032294945243029], [0.03216280586104181, 0.004313188899308375], [0.036615374560526076, 0.004591504935830437], [0.04134490095951973, 0.004867076707503403], [0.046348558299121594, 0.005139739507916079], [0.051623355975420906, 0.005409330369751538], [0.05716614132730139, 0.005675688162040208], [0.06297360152098411, 0.00593865368637014], [0.06904226553022577, 0.0061980697719754615], [0.07536850621101551, 0.006453781369633674], [0.08194854246954658, 0.0067056356443081664], [0.08877844152217808, 0.006953482066475993], [0.09585412124604317, 0.007197172502083423], [0.10317135261890335, 0.007436561301073657], [0.11072576224679402, 0.007671505384432572], [0.11851283497795263, 0.007901864329699674], [0.126527916601469, 0.008127500454892593], [0.1347662166290456, 0.008348278900794603], [0.1432228111582063, 0.00856406771155569], [0.15189264581524284, 0.008774737913558853], [0.16077053877614036, 0.008980163592504344], [0.16985118386367698, 0.00918022196866567], [0.17912915371884622, 0.009374793470272355], [0.18859890304470756, 0.009563761804975472], [0.1982547719207257, 0.009747014029353301], [0.20809098918561847, 0.00992444061641543], [0.21810167588669097, 0.010095935521065021], [0.2282808487935948, 0.010261396243480035], [0.23862242397441227, 0.010420723890375575], [0.24912022043192777, 0.010573823234110675], [0.259767963797914, 0.01072060276960423], [0.2705592900832239, 0.010860974769026038], [0.2814877494814479, 0.010994855334230245], [0.2925468102238625, 0.011122164446899882], [0.30372986248336625, 0.011242826016372484], [0.3150302223250705, 0.01135676792511823], [0.3264411357011823, 0.011463922071843423], [0.3379557824877933, 0.011564224412193513], [0.3495672805611614, 0.01165761499703138], [0.3612686899110478, 0.011744038008267956], [0.3730530167886528, 0.011823441792223808], [0.38491321788667, 0.011895778890501701], [0.3968422045489604, 0.011961006068351729], [0.4088328470073314, 0.012019084340512026], [0.4208779786428875, 0.012069978994509643], [0.4329704002694061, 0.012113659611407625], [0.4451028844361781, 0.012150100083985933], [0.45726817974774225, 0.012179278632345313], [0.4694590151979302, 0.01220117781692479], [0.48166810451563324, 0.012215784548925022], [0.4938881505196921, 0.012223090098131259]]};
 
 const _energy_of_flat_punch = (d, a, E_star) => {
   return ((E_star * Math.pow(d, 2)) * a);
@@ -318,6 +393,483 @@ const retraction = (a, E_star, dgamma) => {
   return hess_retraction(a, E_star, dgamma);
 };
 
+const _pull_off_depth_of_flat_punch = (a, E_star, dgamma) => {
+  return (-hess_retraction(a, E_star, dgamma));
+};
+
+const _pull_off_depth = (a, E_star, dgamma) => {
+  if (((a > 1e-30) && (a < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30))) {
+    return (-(Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))));
+  }
+  return _pull_off_depth_of_flat_punch(a, E_star, dgamma);
+};
+
+const _pull_off_force_of_flat_punch = (a, E_star, dgamma) => {
+  return (((-2) * a) * Math.sqrt(((((2 * Math.PI) * E_star) * dgamma) * a)));
+};
+
+const _pull_off_force = (a, E_star, dgamma) => {
+  if (((a > 1e-30) && (a < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30))) {
+    return (((-2.0) * a) * Math.sqrt((((6.283185307179586 * E_star) * dgamma) * a)));
+  }
+  return _pull_off_force_of_flat_punch(a, E_star, dgamma);
+};
+
+const PullOff = (radius, force, depth) => math.record({ radius, force, depth });
+
+const pull_off = (control = 'force', a, E_star, dgamma) => {
+  let depth, force;
+  if ((!((0.0 < a && a < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  depth = _pull_off_depth(a, E_star, dgamma);
+  force = _pull_off_force(a, E_star, dgamma);
+  return PullOff(((depth * 0.0) + a), force, depth);
+};
+
+const punch_stiffness = (a, H, k) => {
+  return (((2.0 * H) / (1.0 + k)) * ((a > 0.0) ? (a * Math.pow(a, k)) : 0.0));
+};
+
+const _force_3 = (d, a, H, k) => {
+  return (punch_stiffness(a, H, k) * d);
+};
+
+const _force_2 = (d, a, H, k) => {
+  if (((d > 1e-30) && (d < 1e+30) && (a > 1e-30) && (a < 1e+30) && (H > 1e-30) && (H < 1e+30) && (k > 1e-30) && (k < 1.0))) {
+    return ((((2.0 * H) / (1.0 + k)) * ((a > 0.0) ? (a * Math.pow(a, k)) : 0.0)) * d);
+  }
+  return _force_3(d, a, H, k);
+};
+
+const force_of_flat_punch = (d, a, H, k) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return ((d >= 0.0) ? _force_2(d, a, H, k) : NaN);
+};
+
+const punch_pressure = (r, a, H, k) => {
+  let v4, v9;
+  if ((r < a)) {
+    v4 = (a - r);
+    v9 = math.sqrt(((((v4 > 0.0) || (v4 !== v4)) ? v4 : 0.0) * (a + r)));
+    return (((H / 3.141592653589793) * Math.pow(v9, k)) / v9);
+  }
+  if ((r > a)) {
+    return 0.0;
+  }
+  return Infinity;
+};
+
+const _pressure_3 = (r, d, a, H, k) => {
+  return math.where((d > 0.0), (d * punch_pressure(r, a, H, k)), 0.0);
+};
+
+const _pressure_2 = (r, d, a, H, k) => {
+  let v11, v21, v7;
+  if (((r > 1e-30) && (r < 1e+30) && (d > 1e-30) && (d < 1e+30) && (a > 1e-30) && (a < 1e+30) && (H > 1e-30) && (H < 1e+30) && (k > 1e-30) && (k < 1.0))) {
+    if ((d > 0.0)) {
+      if ((r < a)) {
+        v7 = (a - r);
+        v11 = Math.sqrt(((((v7 > 0.0) || (v7 !== v7)) ? v7 : 0.0) * (a + r)));
+        v21 = (((H / 3.141592653589793) * Math.pow(v11, k)) / v11);
+      } else {
+        v21 = ((r > a) ? 0.0 : Infinity);
+      }
+      return (d * v21);
+    }
+    return 0.0;
+  }
+  return _pressure_3(r, d, a, H, k);
+};
+
+const pressure_of_flat_punch = (r, d, a, H, k) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (d >= 0.0)) ? ((r < Infinity) ? _pressure_2(r, d, a, H, k) : 0.0) : NaN);
+};
+
+const difference_root = (x, y) => {
+  let v2;
+  v2 = (x - y);
+  return math.sqrt(((((v2 > 0.0) || (v2 !== v2)) ? v2 : 0.0) * (x + y)));
+};
+
+const punch_scale = (k) => {
+  return (0.6366197723675814 * Math.sin((1.5707963267948966 * (1.0 - Math.abs(k)))));
+};
+
+const EDGE = [[3.0, 32], [11.0, 64]];
+
+const raised = (x, k) => {
+  if ((x > 0.0)) {
+    return (x * Math.pow(x, k));
+  }
+  return 0.0;
+};
+
+const NODES = 64;
+
+const weighted = (smooth, stop, power, count = NODES, above = null) => {
+  let end, pairs;
+  if ((power >= (-0.25))) {
+    return math.fsum([...math.products(power, count, false)].map(([node, weight]) => (weight * smooth((node * stop)))));
+  }
+  above = ((above == null) ? (1.0 + power) : above);
+  end = smooth(0.0);
+  pairs = math.products(above, count, true);
+  return ((end / above) + math.fsum([...pairs].map(([node, weight]) => (weight * (smooth((node * stop)) - end)))));
+};
+
+const NODES_of_displacement = 64;
+
+const from_edge = (shape, a, q, c, stop, k, steep = false) => {
+  let count, first, half, length, longest, ratio, second, smooth;
+  ratio = (c / q);
+  smooth = (v, sinh) => {
+    let z;
+    z = (c * sinh);
+    return ((shape(difference_root(a, z), z) * Math.cosh(v)) / (1.0 + Math.pow((ratio * sinh), 2)));
+  };
+  first = (v) => {
+    let sinh;
+    sinh = Math.sinh(v);
+    return (smooth(v, sinh) * Math.pow(((v > 0.0) ? (sinh / ((v > 0.0) ? v : 1.0)) : 1.0), k));
+  };
+  second = (v) => {
+    let sinh;
+    sinh = Math.sinh((half + v));
+    return (smooth((half + v), sinh) * Math.pow(sinh, k));
+  };
+  longest = (steep ? Infinity : Number(math.maximum((Number.isFinite(stop) ? stop : 0.0))));
+  for ([length, count] of EDGE) {
+    if ((longest <= length)) {
+      return ((raised(ratio, k) * raised(stop, k)) * weighted(first, stop, k, count));
+    }
+  }
+  half = (stop / 2.0);
+  return (raised(ratio, k) * ((raised(half, k) * weighted(first, half, k)) + math.integral(second, half, NODES_of_displacement)));
+};
+
+const punch_share = (r, a, k) => {
+  let q, stop;
+  q = difference_root(r, a);
+  stop = Math.asinh((a / q));
+  return (punch_scale(k) * from_edge(((s, z) => math.ones_like(z)), a, q, q, stop, k));
+};
+
+const punch_displacement = (r, a, k) => {
+  return ((r > a) ? punch_share(r, a, k) : 1.0);
+};
+
+const _displacement_2 = (r, d, a, k) => {
+  return (d * punch_displacement(r, a, k));
+};
+
+const displacement_of_flat_punch = (r, d, a, k) => {
+  if ((!((0.0 < a && a < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (d >= 0.0)) ? ((r < Infinity) ? _displacement_2(r, d, a, k) : 0.0) : NaN);
+};
+
+const _stiffness_3 = (a, H, k) => {
+  return punch_stiffness(a, H, k);
+};
+
+const _stiffness_2 = (a, H, k) => {
+  if (((a > 1e-30) && (a < 1e+30) && (H > 1e-30) && (H < 1e+30) && (k > 1e-30) && (k < 1.0))) {
+    return (((2.0 * H) / (1.0 + k)) * ((a > 0.0) ? (a * Math.pow(a, k)) : 0.0));
+  }
+  return _stiffness_3(a, H, k);
+};
+
+const stiffness_of_flat_punch = (a, H, k) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return _stiffness_2(a, H, k);
+};
+
+const _depth_from_force_3 = (F, a, H, k) => {
+  return (F / punch_stiffness(a, H, k));
+};
+
+const _depth_from_force_2 = (F, a, H, k) => {
+  if (((F > 1e-30) && (F < 1e+30) && (a > 1e-30) && (a < 1e+30) && (H > 1e-30) && (H < 1e+30) && (k > 1e-30) && (k < 1.0))) {
+    return (F / (((2.0 * H) / (1.0 + k)) * ((a > 0.0) ? (a * Math.pow(a, k)) : 0.0)));
+  }
+  return _depth_from_force_3(F, a, H, k);
+};
+
+const depth_from_force_of_flat_punch = (F, a, H, k) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return ((F >= 0.0) ? _depth_from_force_2(F, a, H, k) : NaN);
+};
+
+const graded_retraction = (a, H, k, dgamma) => {
+  if ((a > 0.0)) {
+    return ((math.sqrt(((6.283185307179586 * dgamma) / H)) * math.sqrt(a)) * math.sqrt(Math.pow(a, (-k))));
+  }
+  return 0.0;
+};
+
+const retraction_of_flat_punch = (a, H, k, dgamma) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return graded_retraction(a, H, k, dgamma);
+};
+
+const _pull_off_depth_3 = (a, H, k, dgamma) => {
+  return (-graded_retraction(a, H, k, dgamma));
+};
+
+const _pull_off_depth_2 = (a, H, k, dgamma) => {
+  if (((a > 1e-30) && (a < 1e+30) && (H > 1e-30) && (H < 1e+30) && (k > 1e-30) && (k < 1.0) && (dgamma > 1e-30) && (dgamma < 1e+30))) {
+    return (-((a > 0.0) ? ((Math.sqrt(((6.283185307179586 * dgamma) / H)) * Math.sqrt(a)) * Math.sqrt(Math.pow(a, (-k)))) : 0.0));
+  }
+  return _pull_off_depth_3(a, H, k, dgamma);
+};
+
+const _pull_off_force_3 = (a, H, k, dgamma) => {
+  return ((-punch_stiffness(a, H, k)) * graded_retraction(a, H, k, dgamma));
+};
+
+const _pull_off_force_2 = (a, H, k, dgamma) => {
+  let v10;
+  if (((a > 1e-30) && (a < 1e+30) && (H > 1e-30) && (H < 1e+30) && (k > 1e-30) && (k < 1.0) && (dgamma > 1e-30) && (dgamma < 1e+30))) {
+    v10 = (a > 0.0);
+    return ((-(((2.0 * H) / (1.0 + k)) * (v10 ? (a * Math.pow(a, k)) : 0.0))) * (v10 ? ((Math.sqrt(((6.283185307179586 * dgamma) / H)) * Math.sqrt(a)) * Math.sqrt(Math.pow(a, (-k)))) : 0.0));
+  }
+  return _pull_off_force_3(a, H, k, dgamma);
+};
+
+const pull_off_of_flat_punch = (control = 'force', a, H, k, dgamma) => {
+  let depth, force;
+  if ((!((0.0 < a && a < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  depth = _pull_off_depth_2(a, H, k, dgamma);
+  force = _pull_off_force_2(a, H, k, dgamma);
+  return PullOff(((depth * 0.0) + a), force, depth);
+};
+
+const SWITCH = 40.0;
+
+const TERMS = 170;
+
+const ROUNDING = 5.551115123125783e-17;
+
+const fading = (x, m) => {
+  let high, k, low, more, tail, term, total;
+  low = math.minimum(x, SWITCH);
+  [term, total] = [Math.exp((-low)), Math.exp((-low))];
+  for (k of math.range(1, TERMS)) {
+    term = ((term * low) / k);
+    more = (term * (m / (m + k)));
+    total = (total + more);
+    if ((!Boolean((more > (ROUNDING * total))))) {
+      break;
+    }
+  }
+  if ((!Boolean((x > SWITCH)))) {
+    return total;
+  }
+  high = math.maximum(x, SWITCH);
+  tail = math.integral(((y) => (m * Math.exp((((m - 1.0) * Math.log1p((-y))) - (high * y))))), ((0.999999 * SWITCH) / high), 64);
+  return ((x <= SWITCH) ? total : ((x < Infinity) ? tail : 0.0));
+};
+
+const ramp_maxwell = (t, m, E, tau) => {
+  return (E * fading((t / tau), m));
+};
+
+const _ramp_force_maxwell = (t, v, a, E, tau) => {
+  let force;
+  force = (_force_of_flat_punch((v * t), a, 1.0) * ramp_maxwell(t, 1.0, E, tau));
+  return ((t === 0.0) ? 0.0 : force);
+};
+
+const ramp_force_maxwell = (t, a, v, E, tau) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < v && v < Infinity) && (0.0 < E && E < Infinity) && (0.0 < tau && tau < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _ramp_force_maxwell(t, v, a, E, tau) : NaN);
+};
+
+const relaxation_maxwell = (t, E, tau) => {
+  return (E * Math.exp(((-t) / tau)));
+};
+
+const _step_force_maxwell_of_flat_punch = (t, d, a, E, tau) => {
+  return (relaxation_maxwell(t, E, tau) * _force(d, a, 1.0));
+};
+
+const _step_force_maxwell = (t, d, a, E, tau) => {
+  if (((t > 1e-30) && (t < 1e+30) && (d > 1e-30) && (d < 1e+30) && (a > 1e-30) && (a < 1e+30) && (E > 1e-30) && (E < 1e+30) && (tau > 1e-30) && (tau < 1e+30))) {
+    return ((E * Math.exp(((-t) / tau))) * ((2.0 * d) * a));
+  }
+  return _step_force_maxwell_of_flat_punch(t, d, a, E, tau);
+};
+
+const step_force_maxwell = (t, d, a, E, tau) => {
+  if ((!((0.0 <= d && d < Infinity) && (0.0 < a && a < Infinity) && (0.0 < E && E < Infinity) && (0.0 < tau && tau < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_force_maxwell(t, d, a, E, tau) : NaN);
+};
+
+const ramp_kelvin_voigt = (t, m, E, eta) => {
+  return (E + ((eta * m) / t));
+};
+
+const _ramp_force_kelvin_voigt_of_flat_punch = (t, v, a, E, eta) => {
+  let force;
+  force = (_force((v * t), a, 1.0) * ramp_kelvin_voigt(t, 1.0, E, eta));
+  return math.where((t === 0.0), (_force(v, a, 1.0) * eta), force);
+};
+
+const _ramp_force_kelvin_voigt = (t, v, a, E, eta) => {
+  if (((t > 1e-30) && (t < 1e+30) && (v > 1e-30) && (v < 1e+30) && (a > 1e-30) && (a < 1e+30) && (E > 1e-30) && (E < 1e+30) && (eta > 1e-30) && (eta < 1e+30))) {
+    if ((t === 0.0)) {
+      return (((2.0 * v) * a) * eta);
+    }
+    return (((2.0 * (v * t)) * a) * (E + (eta / t)));
+  }
+  return _ramp_force_kelvin_voigt_of_flat_punch(t, v, a, E, eta);
+};
+
+const ramp_force_kelvin_voigt = (t, a, v, E, eta) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < v && v < Infinity) && (0.0 < E && E < Infinity) && (0.0 < eta && eta < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _ramp_force_kelvin_voigt(t, v, a, E, eta) : NaN);
+};
+
+const relaxation_kelvin_voigt = (t, E, eta) => {
+  if ((t > 0.0)) {
+    return E;
+  }
+  return Infinity;
+};
+
+const _step_force_kelvin_voigt_of_flat_punch = (t, d, a, E, eta) => {
+  return (relaxation_kelvin_voigt(t, E, eta) * _force(d, a, 1.0));
+};
+
+const _step_force_kelvin_voigt = (t, d, a, E, eta) => {
+  if (((t > 1e-30) && (t < 1e+30) && (d > 1e-30) && (d < 1e+30) && (a > 1e-30) && (a < 1e+30) && (E > 1e-30) && (E < 1e+30) && (eta > 1e-30) && (eta < 1e+30))) {
+    return (((t > 0.0) ? E : Infinity) * ((2.0 * d) * a));
+  }
+  return _step_force_kelvin_voigt_of_flat_punch(t, d, a, E, eta);
+};
+
+const step_force_kelvin_voigt = (t, d, a, E, eta) => {
+  if ((!((0.0 <= d && d < Infinity) && (0.0 < a && a < Infinity) && (0.0 < E && E < Infinity) && (0.0 < eta && eta < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_force_kelvin_voigt(t, d, a, E, eta) : NaN);
+};
+
+const ramp_standard_solid = (t, m, E_inf, E_1, tau) => {
+  return (E_inf + (E_1 * fading((t / tau), m)));
+};
+
+const _ramp_force_standard_solid = (t, v, a, E_inf, E_1, tau) => {
+  let force;
+  force = (_force_of_flat_punch((v * t), a, 1.0) * ramp_standard_solid(t, 1.0, E_inf, E_1, tau));
+  return ((t === 0.0) ? 0.0 : force);
+};
+
+const ramp_force_standard_solid = (t, a, v, E_inf, E_1, tau) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < v && v < Infinity) && (0.0 < E_inf && E_inf < Infinity) && (0.0 <= E_1 && E_1 < Infinity) && (0.0 < tau && tau < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _ramp_force_standard_solid(t, v, a, E_inf, E_1, tau) : NaN);
+};
+
+const relaxation_standard_solid = (t, E_inf, E_1, tau) => {
+  return (E_inf + (E_1 * Math.exp(((-t) / tau))));
+};
+
+const _step_force_standard_solid_of_flat_punch = (t, d, a, E_inf, E_1, tau) => {
+  return (relaxation_standard_solid(t, E_inf, E_1, tau) * _force(d, a, 1.0));
+};
+
+const _step_force_standard_solid = (t, d, a, E_inf, E_1, tau) => {
+  if (((t > 1e-30) && (t < 1e+30) && (d > 1e-30) && (d < 1e+30) && (a > 1e-30) && (a < 1e+30) && (E_inf > 1e-30) && (E_inf < 1e+30) && (E_1 > 1e-30) && (E_1 < 1e+30) && (tau > 1e-30) && (tau < 1e+30))) {
+    return ((E_inf + (E_1 * Math.exp(((-t) / tau)))) * ((2.0 * d) * a));
+  }
+  return _step_force_standard_solid_of_flat_punch(t, d, a, E_inf, E_1, tau);
+};
+
+const step_force_standard_solid = (t, d, a, E_inf, E_1, tau) => {
+  if ((!((0.0 <= d && d < Infinity) && (0.0 < a && a < Infinity) && (0.0 < E_inf && E_inf < Infinity) && (0.0 <= E_1 && E_1 < Infinity) && (0.0 < tau && tau < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_force_standard_solid(t, d, a, E_inf, E_1, tau) : NaN);
+};
+
+const gamma_quotient = (x, y) => {
+  let quotient;
+  quotient = (x, y) => {
+    return ((x < 100.0) ? (math.gamma(x) / math.gamma(y)) : Math.exp((math.lgamma(x) - math.lgamma(y))));
+  };
+  return math.vectorize(quotient)(x, y);
+};
+
+const gamma = (x) => {
+  return math.vectorize(math.gamma)(x);
+};
+
+const ramp_power_creep = (t, m, E, alpha, t_0) => {
+  return (((E * Math.pow((t_0 / t), alpha)) * gamma_quotient((1.0 + m), ((1.0 + m) - alpha))) / gamma((1.0 + alpha)));
+};
+
+const _ramp_force_power_creep = (t, v, a, E, alpha, t_0) => {
+  let force;
+  force = (_force_of_flat_punch((v * t), a, 1.0) * ramp_power_creep(t, 1.0, E, alpha, t_0));
+  return ((t === 0.0) ? 0.0 : force);
+};
+
+const ramp_force_power_creep = (t, a, v, E, alpha, t_0) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < v && v < Infinity) && (0.0 < E && E < Infinity) && (0.0 < alpha && alpha < 1.0) && (0.0 < t_0 && t_0 < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _ramp_force_power_creep(t, v, a, E, alpha, t_0) : NaN);
+};
+
+const relaxation_power_creep = (t, E, alpha, t_0) => {
+  let v8;
+  v8 = (3.141592653589793 * alpha);
+  return (((E * Math.pow((t_0 / t), alpha)) * Math.sin(v8)) / v8);
+};
+
+const _step_force_power_creep_of_flat_punch = (t, d, a, E, alpha, t_0) => {
+  return (relaxation_power_creep(t, E, alpha, t_0) * _force(d, a, 1.0));
+};
+
+const _step_force_power_creep = (t, d, a, E, alpha, t_0) => {
+  let v10;
+  if (((t > 1e-30) && (t < 1e+30) && (d > 1e-30) && (d < 1e+30) && (a > 1e-30) && (a < 1e+30) && (E > 1e-30) && (E < 1e+30) && (alpha > 1e-30) && (alpha < 1.0) && (t_0 > 1e-30) && (t_0 < 1e+30))) {
+    v10 = (3.141592653589793 * alpha);
+    return ((((E * Math.pow((t_0 / t), alpha)) * Math.sin(v10)) / v10) * ((2.0 * d) * a));
+  }
+  return _step_force_power_creep_of_flat_punch(t, d, a, E, alpha, t_0);
+};
+
+const step_force_power_creep = (t, d, a, E, alpha, t_0) => {
+  if ((!((0.0 <= d && d < Infinity) && (0.0 < a && a < Infinity) && (0.0 < E && E < Infinity) && (0.0 < alpha && alpha < 1.0) && (0.0 < t_0 && t_0 < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_force_power_creep(t, d, a, E, alpha, t_0) : NaN);
+};
+
 const _torque_of_flat_punch = (beta, a, G) => {
   return ((((16.0 / 3.0) * G) * Math.pow(a, 3)) * beta);
 };
@@ -376,11 +928,11 @@ const turned_below = (r, z, a) => {
   return (((2.0 * r) / Math.PI) * math.where(far, outside, inside));
 };
 
-const _displacement_3 = (r, z, a, beta) => {
+const _displacement_4 = (r, z, a, beta) => {
   return (beta * turned_below(r, z, a));
 };
 
-const _displacement_2 = (r, z, a, beta) => {
+const _displacement_3 = (r, z, a, beta) => {
   let v11, v16, v18, v25, v27, v29, v30, v36, v4, v6, v79, v82, v94;
   if (((r > 1e-30) && (r < 1e+30) && (z > 1e-30) && (z < 1e+30) && (a > 1e-30) && (a < 1e+30) && (beta > 1e-30) && (beta < 1e+30))) {
     v4 = (r - a);
@@ -410,16 +962,83 @@ const _displacement_2 = (r, z, a, beta) => {
     }
     return (beta * (((2.0 * r) / 3.141592653589793) * v94));
   }
-  return _displacement_3(r, z, a, beta);
+  return _displacement_4(r, z, a, beta);
 };
 
-const displacement_of_flat_punch = (r, z, a, beta) => {
+const displacement_2 = (r, z, a, beta) => {
   if ((!((0.0 < a && a < Infinity) && (0.0 <= beta && beta < Infinity)))) {
     return NaN;
   }
-  return (((r >= 0.0) && (z >= 0.0)) ? ((r < Infinity) ? _displacement_2(r, z, a, beta) : 0.0) : NaN);
+  return (((r >= 0.0) && (z >= 0.0)) ? ((r < Infinity) ? _displacement_3(r, z, a, beta) : 0.0) : NaN);
 };
 
+const on_planes = (r, z, a) => {
+  let eta, whole, xi;
+  [xi, eta, whole] = oblate(r, z, a);
+  return ((((-4.0) / Math.PI) * ((r * a) / whole)) * ((eta * a) / ((a * a) + (xi * xi))));
+};
+
+const _stress_tz_of_flat_punch = (r, z, a, G, beta) => {
+  return ((G * beta) * on_planes(r, z, a));
+};
+
+const _stress_tz = (r, z, a, G, beta) => {
+  let v10, v13, v18, v20, v25, v26, v27, v6, v8;
+  if (((r > 1e-30) && (r < 1e+30) && (z > 1e-30) && (z < 1e+30) && (a > 1e-30) && (a < 1e+30) && (G > 1e-30) && (G < 1e+30) && (beta > 1e-30) && (beta < 1e+30))) {
+    v6 = (r - a);
+    v8 = (r + a);
+    v10 = (Math.hypot(v6, z) * Math.hypot(v8, z));
+    v13 = ((v6 * v8) + (z * z));
+    v18 = Math.sqrt((0.5 * (v10 + Math.abs(v13))));
+    v20 = (v18 > 0.0);
+    v25 = (v20 ? ((z * a) / (v20 ? v18 : 1.0)) : 0.0);
+    v26 = (v13 > 0.0);
+    v27 = (v26 ? v18 : v25);
+    return ((G * beta) * (((-1.2732395447351628) * ((r * a) / v10)) * (((v26 ? v25 : v18) * a) / ((a * a) + (v27 * v27)))));
+  }
+  return _stress_tz_of_flat_punch(r, z, a, G, beta);
+};
+
+const on_cylinders = (r, z, a) => {
+  let _, whole, xi;
+  [xi, _, whole] = oblate(r, z, a);
+  return ((((-4.0) / Math.PI) * ((xi * a) / whole)) * Math.pow(((r * a) / ((a * a) + (xi * xi))), 2));
+};
+
+const _stress_rt_of_flat_punch = (r, z, a, G, beta) => {
+  return ((G * beta) * on_cylinders(r, z, a));
+};
+
+const _stress_rt = (r, z, a, G, beta) => {
+  let v10, v13, v18, v20, v27, v37, v6, v8;
+  if (((r > 1e-30) && (r < 1e+30) && (z > 1e-30) && (z < 1e+30) && (a > 1e-30) && (a < 1e+30) && (G > 1e-30) && (G < 1e+30) && (beta > 1e-30) && (beta < 1e+30))) {
+    v6 = (r - a);
+    v8 = (r + a);
+    v10 = (Math.hypot(v6, z) * Math.hypot(v8, z));
+    v13 = ((v6 * v8) + (z * z));
+    v18 = Math.sqrt((0.5 * (v10 + Math.abs(v13))));
+    if ((v13 > 0.0)) {
+      v27 = v18;
+    } else {
+      v20 = (v18 > 0.0);
+      v27 = (v20 ? ((z * a) / (v20 ? v18 : 1.0)) : 0.0);
+    }
+    v37 = ((r * a) / ((a * a) + (v27 * v27)));
+    return ((G * beta) * (((-1.2732395447351628) * ((v27 * a) / v10)) * (v37 * v37)));
+  }
+  return _stress_rt_of_flat_punch(r, z, a, G, beta);
+};
+
+const TorsionStress = (tz, rt) => math.record({ tz, rt });
+
+const stress = (r, z, a, G, beta) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < G && G < Infinity) && (0.0 <= beta && beta < Infinity)))) {
+    return NaN;
+  }
+  return TorsionStress((((r >= 0.0) && (z >= 0.0)) ? ((r < Infinity) ? _stress_tz(r, z, a, G, beta) : 0.0) : NaN), (((r >= 0.0) && (z >= 0.0)) ? ((r < Infinity) ? _stress_rt(r, z, a, G, beta) : 0.0) : NaN));
+};
+
+const once = { pull_off: math.kept(pull_off), pull_off_of_flat_punch: math.kept(pull_off_of_flat_punch), stress: math.kept(stress) };
 const formulas = {
   "U": (v) => energy(v.d, v.a, v.E_star),
   "Fr": (v) => load_within(v.r, v.d, v.a, v.E_star),
@@ -429,8 +1048,28 @@ const formulas = {
   "k": (v) => stiffness(v.a, v.E_star),
   "dF": (v) => depth_from_force(v.F, v.a, v.E_star),
   "adh.Dl": (v) => retraction(v.a, v.E_star, v.dgamma),
+  "adh.Fc": (v) => (once.pull_off('force', v.a, v.E_star, v.dgamma).force ?? NaN),
+  "adh.dc": (v) => (once.pull_off('force', v.a, v.E_star, v.dgamma).depth ?? NaN),
+  "fgm.F": (v) => force_of_flat_punch(v.d, v.a, v.H, v.k),
+  "fgm.p": (v) => pressure_of_flat_punch(v.r, v.d, v.a, v.H, v.k),
+  "fgm.w": (v) => displacement_of_flat_punch(v.r, v.d, v.a, v.k),
+  "fgm.k": (v) => stiffness_of_flat_punch(v.a, v.H, v.k),
+  "fgm.dF": (v) => depth_from_force_of_flat_punch(v.F, v.a, v.H, v.k),
+  "fgm.adh.Dl": (v) => retraction_of_flat_punch(v.a, v.H, v.k, v.dgamma),
+  "fgm.adh.Fc": (v) => (once.pull_off_of_flat_punch('force', v.a, v.H, v.k, v.dgamma).force ?? NaN),
+  "fgm.adh.dc": (v) => (once.pull_off_of_flat_punch('force', v.a, v.H, v.k, v.dgamma).depth ?? NaN),
+  "vis.ramp_mx": (v) => ramp_force_maxwell(v.t, v.a, v.v, v.E_law, v.tau),
+  "vis.step_mx": (v) => step_force_maxwell(v.t, v.d, v.a, v.E_law, v.tau),
+  "vis.ramp_kv": (v) => ramp_force_kelvin_voigt(v.t, v.a, v.v, v.E_law, v.eta),
+  "vis.step_kv": (v) => step_force_kelvin_voigt(v.t, v.d, v.a, v.E_law, v.eta),
+  "vis.ramp_sls": (v) => ramp_force_standard_solid(v.t, v.a, v.v, v.E_inf, v.E_1, v.tau),
+  "vis.step_sls": (v) => step_force_standard_solid(v.t, v.d, v.a, v.E_inf, v.E_1, v.tau),
+  "vis.ramp_pc": (v) => ramp_force_power_creep(v.t, v.a, v.v, v.E_law, v.alpha, v.t_0),
+  "vis.step_pc": (v) => step_force_power_creep(v.t, v.d, v.a, v.E_law, v.alpha, v.t_0),
   "tor.M": (v) => torque(v.beta, v.a, v.G),
-  "tor.ut": (v) => displacement_of_flat_punch(v.r, v.z, v.a, v.beta),
+  "tor.ut": (v) => displacement_2(v.r, v.z, v.a, v.beta),
+  "tor.tz": (v) => (once.stress(v.r, v.z, v.a, v.G, v.beta).tz ?? NaN),
+  "tor.rt": (v) => (once.stress(v.r, v.z, v.a, v.G, v.beta).rt ?? NaN),
 };
 window.calculator = { ...{
  "fields": [
@@ -454,7 +1093,7 @@ window.calculator = { ...{
    "low": 0.0,
    "high": null,
    "closed": "low",
-   "value": ""
+   "value": 0.02
   },
   {
    "name": "G",
@@ -465,7 +1104,7 @@ window.calculator = { ...{
    "low": 0.0,
    "high": null,
    "closed": "",
-   "value": ""
+   "value": 1000000.0
   },
   {
    "name": "z",
@@ -476,7 +1115,7 @@ window.calculator = { ...{
    "low": 0.0,
    "high": null,
    "closed": "low",
-   "value": ""
+   "value": 0.0
   },
   {
    "name": "E_star",
@@ -512,6 +1151,28 @@ window.calculator = { ...{
    "value": 0.3
   },
   {
+   "name": "H",
+   "tex": "H",
+   "meaning": "foundation modulus of the graded half-space",
+   "unit": "Pa m^(-k)",
+   "rule": "H > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 50000000.0
+  },
+  {
+   "name": "k",
+   "tex": "k",
+   "meaning": "exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space",
+   "unit": "1",
+   "rule": "-1 < k < 1",
+   "low": -1.0,
+   "high": 1.0,
+   "closed": "",
+   "value": 0.3
+  },
+  {
    "name": "dgamma",
    "tex": "\\Delta\\gamma",
    "meaning": "work of separation per unit area",
@@ -532,6 +1193,105 @@ window.calculator = { ...{
    "high": null,
    "closed": "low",
    "value": ""
+  },
+  {
+   "name": "E_law",
+   "tex": "E",
+   "meaning": "effective (plane-strain) modulus of the viscoelastic law",
+   "unit": "Pa",
+   "rule": "E_law > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 3000000.0
+  },
+  {
+   "name": "E_inf",
+   "tex": "E_\\infty",
+   "meaning": "long-time effective modulus",
+   "unit": "Pa",
+   "rule": "E_inf > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 1000000.0
+  },
+  {
+   "name": "E_1",
+   "tex": "E_1",
+   "meaning": "relaxing part of the effective modulus",
+   "unit": "Pa",
+   "rule": "E_1 >= 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "low",
+   "value": 2000000.0
+  },
+  {
+   "name": "tau",
+   "tex": "\\tau",
+   "meaning": "relaxation time",
+   "unit": "s",
+   "rule": "tau > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 1.0
+  },
+  {
+   "name": "eta",
+   "tex": "\\eta",
+   "meaning": "effective viscosity",
+   "unit": "Pa s",
+   "rule": "eta > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 1000000.0
+  },
+  {
+   "name": "alpha",
+   "tex": "\\alpha",
+   "meaning": "exponent of power-law creep",
+   "unit": "1",
+   "rule": "0 < alpha < 1",
+   "low": 0.0,
+   "high": 1.0,
+   "closed": "",
+   "value": 0.3
+  },
+  {
+   "name": "t_0",
+   "tex": "t_0",
+   "meaning": "reference time of power-law creep",
+   "unit": "s",
+   "rule": "t_0 > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 1.0
+  },
+  {
+   "name": "v",
+   "tex": "v",
+   "meaning": "speed of indentation",
+   "unit": "m/s",
+   "rule": "v > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 1e-05
+  },
+  {
+   "name": "t",
+   "tex": "t",
+   "meaning": "time since first contact",
+   "unit": "s",
+   "rule": "t >= 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "low",
+   "value": 1.0
   }
  ],
  "state": [
@@ -568,7 +1328,8 @@ window.calculator = { ...{
    ],
    "unit": "J",
    "place": "",
-   "suffix": "U"
+   "suffix": "U",
+   "medium": 0
   },
   "Fr": {
    "gives": "F_r",
@@ -580,7 +1341,8 @@ window.calculator = { ...{
    ],
    "unit": "N",
    "place": "inside",
-   "suffix": "Fr"
+   "suffix": "Fr",
+   "medium": 0
   },
   "F": {
    "gives": "F",
@@ -591,7 +1353,8 @@ window.calculator = { ...{
    ],
    "unit": "N",
    "place": "",
-   "suffix": "F"
+   "suffix": "F",
+   "medium": 0
   },
   "p": {
    "gives": "p",
@@ -603,7 +1366,8 @@ window.calculator = { ...{
    ],
    "unit": "Pa",
    "place": "inside",
-   "suffix": "p"
+   "suffix": "p",
+   "medium": 0
   },
   "w": {
    "gives": "w",
@@ -614,7 +1378,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "outside",
-   "suffix": "w"
+   "suffix": "w",
+   "medium": 0
   },
   "k": {
    "gives": "stiffness",
@@ -624,7 +1389,8 @@ window.calculator = { ...{
    ],
    "unit": "N/m",
    "place": "",
-   "suffix": "k"
+   "suffix": "k",
+   "medium": 0
   },
   "dF": {
    "gives": "d",
@@ -635,7 +1401,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": "dF"
+   "suffix": "dF",
+   "medium": 0
   },
   "adh.Dl": {
    "gives": "retraction",
@@ -646,7 +1413,252 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.Fc": {
+   "gives": "F",
+   "needs": [
+    "a",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.dc": {
+   "gives": "d",
+   "needs": [
+    "a",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "fgm.F": {
+   "gives": "F",
+   "needs": [
+    "d",
+    "a",
+    "H",
+    "k"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "F",
+   "medium": 1
+  },
+  "fgm.p": {
+   "gives": "p",
+   "needs": [
+    "r",
+    "d",
+    "a",
+    "H",
+    "k"
+   ],
+   "unit": "Pa",
+   "place": "inside",
+   "suffix": "p",
+   "medium": 1
+  },
+  "fgm.w": {
+   "gives": "w",
+   "needs": [
+    "r",
+    "d",
+    "a",
+    "k"
+   ],
+   "unit": "m",
+   "place": "outside",
+   "suffix": "w",
+   "medium": 1
+  },
+  "fgm.k": {
+   "gives": "stiffness",
+   "needs": [
+    "a",
+    "H",
+    "k"
+   ],
+   "unit": "N/m",
+   "place": "",
+   "suffix": "k",
+   "medium": 1
+  },
+  "fgm.dF": {
+   "gives": "d",
+   "needs": [
+    "F",
+    "a",
+    "H",
+    "k"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "dF",
+   "medium": 1
+  },
+  "fgm.adh.Dl": {
+   "gives": "retraction",
+   "needs": [
+    "a",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.Fc": {
+   "gives": "F",
+   "needs": [
+    "a",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.dc": {
+   "gives": "d",
+   "needs": [
+    "a",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "vis.ramp_mx": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "a",
+    "v",
+    "E_law",
+    "tau"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.step_mx": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "d",
+    "a",
+    "E_law",
+    "tau"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.ramp_kv": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "a",
+    "v",
+    "E_law",
+    "eta"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.step_kv": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "d",
+    "a",
+    "E_law",
+    "eta"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.ramp_sls": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "a",
+    "v",
+    "E_inf",
+    "E_1",
+    "tau"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.step_sls": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "d",
+    "a",
+    "E_inf",
+    "E_1",
+    "tau"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.ramp_pc": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "a",
+    "v",
+    "E_law",
+    "alpha",
+    "t_0"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.step_pc": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "d",
+    "a",
+    "E_law",
+    "alpha",
+    "t_0"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
   },
   "tor.M": {
    "gives": "torque",
@@ -657,7 +1669,8 @@ window.calculator = { ...{
    ],
    "unit": "N m",
    "place": "",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
   },
   "tor.ut": {
    "gives": "around",
@@ -669,7 +1682,36 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
+  },
+  "tor.tz": {
+   "gives": "shear_tz",
+   "needs": [
+    "r",
+    "z",
+    "a",
+    "G",
+    "beta"
+   ],
+   "unit": "Pa",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "tor.rt": {
+   "gives": "shear_rt",
+   "needs": [
+    "r",
+    "z",
+    "a",
+    "G",
+    "beta"
+   ],
+   "unit": "Pa",
+   "place": "",
+   "suffix": "",
+   "medium": 0
   }
  },
  "place": "r"

@@ -25,7 +25,10 @@ const math = {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
     return Array.from({ length: Math.max(Math.ceil((stop - start) / step), 0) }, (_, count) => start + step * count);
   },
-  zip: (x, y) => x.map((value, place) => [value, y[place]]),
+  zip: (x, y) => x.slice(0, y.length).map((value, place) => [value, y[place]]),
+  // named fields that are told by their places too
+  record: (fields) => Object.assign(Object.values(fields), fields),
+  replaced: (x, changes) => math.record({ ...Object.fromEntries(Object.entries(x).slice(x.length)), ...changes }),
   enumerate: (x, start = 0) => Array.from(x, (value, place) => [place + start, value]),
   repeated: (x, count) => math.range(count).flatMap(() => x),
   reversed: (x) => [...x].reverse(),
@@ -84,6 +87,63 @@ const math = {
     bits.setBigInt64(0, bits.getBigInt64(0) + (x > 0.0 === to > x ? 1n : -1n));
     return bits.getFloat64(0);
   },
+  halfway: (low, high) => {
+    const bits = new DataView(new ArrayBuffer(16));
+    bits.setFloat64(0, low);
+    bits.setFloat64(8, high);
+    const first = bits.getBigInt64(0);
+    bits.setBigInt64(0, first + (bits.getBigInt64(8) - first) / 2n);
+    return bits.getFloat64(0);
+  },
+  // radii around waves: decades, sixteen in each wave, decades
+  radii_of_waves: (length, reach) => {
+    const waves = Math.floor(math.clip(Number.isFinite(reach / length) ? reach / length : 4.0, 4.0, 4096.0));
+    const inner = [...math.range(15).map((place) => Math.pow(10.0, 10 * place - 150)), ...math.range(1, 16 * waves + 1).map((x) => x / 16.0)];
+    return [...inner, ...math.range(10).map((place) => (waves + 1.0) * Math.pow(10.0, 10 * place))].map((x) => x * length);
+  },
+  // what was found for the last arguments
+  kept: (of) => {
+    const known = new Map();
+    return (...given) => {
+      const key = given.join();
+      if (known.size > 99) known.clear();
+      if (!known.has(key)) known.set(key, of(...given));
+      return known.get(key);
+    };
+  },
+  // the branches on which a steepness is above a level, each end refined where the sign changes between two radii; what
+  // was sampled is that of a geometry, and keeps what was found in it
+  branches: (change, far) => (steepness, sampled, level) => {
+    const { radii, end } = sampled;
+    const steep = (sampled.steep ??= radii.map((a) => steepness(a)));
+    sampled.found ??= math.kept((level) => math.searched(change, far, steepness, radii, steep, end, level));
+    return sampled.found(level);
+  },
+  searched: (change, far, steepness, radii, steep, end, level) => {
+    const above = (a) => Math.log(steepness(a) / level);
+    const [first, last] = [[], []];
+    if (steep[0] >= level) first.push(radii[0]);
+    for (let place = 1; place < radii.length; place++) {
+      const [before, after] = [steep[place - 1], steep[place]];
+      const up = after >= level;
+      if (up !== before >= level && (up || radii[place - 1] < far)) {
+        const found = change(above, radii[place - 1], radii[place], Math.log(before / level), Math.log(after / level), up ? 1.0 : -1.0);
+        (up ? first : last).push(found);
+      }
+    }
+    const largest = math.nextafter(radii.at(-1), 0.0);
+    return { first: first.map((a) => Math.min(a, largest)), last: [...last, end].slice(0, first.length) };
+  },
+  lowest: ({ first }, load) => {
+    const loads = first.map(load);
+    const known = loads.filter((x) => x === x);
+    return known.length ? first[loads.indexOf(Math.min(...known))] : NaN;
+  },
+  springs: (pairs, under) => (left, low, high) => {
+    const first = left(low);
+    const terms = pairs.map(([node, weight]) => weight * left(low + (high - low) * node));
+    return (high - low) * (math.fsum(terms) + under * first);
+  },
   // nodes and weights on (0, 1) for an interval of a length, in panels beyond the last one
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
@@ -99,6 +159,19 @@ const math = {
   integral_by_panels: (integrand, stop, width, count) => {
     const panels = panelsOf(Math.max(stop / width, 1.0));
     return math.fsum(pairs(count, panels).map(([node, weight]) => weight * integrand(node * stop))) * stop;
+  },
+  both: (integrand, stop, width = 1.0, lengths = STRIPS) => {
+    if (stop !== stop) return [stop, stop];
+    const panels = panelsOf(Math.max(stop / width / lengths.at(-1)[0], 1.0));
+    const [first, second] = [[], []];
+    for (let start = 0; start < panels; start++) {
+      for (const [node, weight] of math.rule(lengths)(stop / width / panels)) {
+        const [x, y] = integrand(((start + node) / panels) * stop);
+        first.push((weight / panels) * x);
+        second.push((weight / panels) * y);
+      }
+    }
+    return [math.fsum(first) * stop, math.fsum(second) * stop];
   },
   integral_by_length: (...given) => math.integral_in_strip(...given),
   in_groups: (rule_of) => (slope, parameters, ...given) => {
@@ -522,6 +595,64 @@ const load_within = (r, a, theta, b, E_star) => {
   return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _load_within(r, a, theta, b, E_star) : 0.0) : NaN);
 };
 
+const _peak_pressure_of_hyperboloid = (a, theta, b, E_star) => {
+  return _pressure_of_hyperboloid(math.zeros_like(a), a, theta, b, E_star);
+};
+
+const _peak_pressure = (a, theta, b, E_star) => {
+  let node, v12, v14, v19, v22, v23, v32, v33, v35, v38, v40, v44, v49, v52, v53, v7, v8, weight;
+  if (((a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    if ((0.0 < a)) {
+      v7 = Math.sqrt((0.0 + (b * b)));
+      v8 = (a - 0.0);
+      v12 = Math.sqrt(((((v8 > 0.0) || (v8 !== v8)) ? v8 : 0.0) * (a + 0.0)));
+      v14 = Math.asinh((v12 / v7));
+      v19 = (0.0 - Math.expm1(((-2.0) * v14)));
+      v22 = ((v19 > 0.0) ? v19 : Infinity);
+      v38 = Math.tan(theta);
+      v40 = (b * v38);
+      v44 = (b * b);
+      v49 = (v7 * v7);
+      v53 = [];
+      for ([node, weight] of RULE_0((v14 / 1.0))) {
+        v23 = (node * v14);
+        v32 = (v12 * ((Math.exp((-v23)) * (0.0 - Math.expm1(((-2.0) * (v14 - v23))))) / v22));
+        v33 = (v32 * v32);
+        v35 = Math.sqrt((0.0 + v33));
+        v52 = ((((v38 * Math.atan((v35 / b))) + ((v40 * v35) / ((v35 * v35) + v44))) / v35) * Math.sqrt((v49 + v33)));
+        v53.push((weight * v52));
+      }
+      v53 = (math.fsum(v53) * v14);
+      return ((E_star / 3.141592653589793) * v53);
+    }
+    return 0.0;
+  }
+  return _peak_pressure_of_hyperboloid(a, theta, b, E_star);
+};
+
+const _peak_radius_of_hyperboloid = (a) => {
+  return math.zeros_like(a);
+};
+
+const _peak_radius = (a, theta = 0.7853981633974483, b = 1.0, E_star = 1.0) => {
+  if (((a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    return 0.0;
+  }
+  return _peak_radius_of_hyperboloid(a);
+};
+
+const PeakPressure = (pressure, radius) => math.record({ pressure, radius });
+
+const peak_pressure = (a, theta, b, E_star) => {
+  let pressure, radius;
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  pressure = ((a >= 0.0) ? _peak_pressure(a, theta, b, E_star) : NaN);
+  radius = ((a >= 0.0) ? _peak_radius(a) : NaN);
+  return PeakPressure(pressure, radius);
+};
+
 const _slope_of_hyperboloid = (t, theta, b) => {
   let v5;
   v5 = Math.tan(theta);
@@ -892,6 +1023,261 @@ const displacement_of_hyperboloid = (r, a, theta, b, E_star, dgamma) => {
   return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_of_hyperboloid(r, a, theta, b, E_star, dgamma) : 0.0) : NaN);
 };
 
+const exponent_of = (x) => {
+  return (math.frexp(x)[1] - 1);
+};
+
+const _rate = (a, theta, b) => {
+  let v5;
+  v5 = Math.tan(theta);
+  return ((v5 * Math.atan((a / b))) + (((b * v5) * a) / ((a * a) + (b * b))));
+};
+
+const decades = (length = 1.0) => [1e-150, 1e-140, 1e-130, 1e-120, 1e-110, 1e-100, 1e-90, 1e-80, 1e-70, 1e-60, 1e-50, 1e-40, 1e-30, 1e-20, 1e-10, 1.0, 10000000000.0, 1e+20, 1e+30, 1e+40, 1e+50, 1e+60, 1e+70, 1e+80, 1e+90, 1e+100, 1e+110, 1e+120, 1e+130, 1e+140, 1e+150].map((x) => x * length);
+
+const _samples = (theta, b) => {
+  let a;
+  a = decades();
+  return ({ radii: a, end: Infinity });
+};
+
+const XI = {'force': 3.0, 'depth': 1.0};
+
+const least_steepness = (control, E_star, dgamma) => {
+  return (XI[control] * Math.sqrt(((Math.PI * dgamma) / (2.0 * E_star))));
+};
+
+const STEPS = 20;
+
+const CLOSEST = Math.pow(2.0, (-51));
+
+const _change = (above, low, high, before, after, sign) => {
+  let middle, share, stays, step, tried, value;
+  [before, after, stays] = [(sign * before), (sign * after), 0.0];
+  for (step of math.range((STEPS + 64))) {
+    if ((math.nextafter(low, high) >= high)) {
+      break;
+    }
+    share = (((step < STEPS) && (before !== after)) ? (before / (before - after)) : NaN);
+    tried = (low * Math.exp((((0.0 <= share && share <= 1.0) ? share : 0.5) * Math.log((high / low)))));
+    tried = Math.min(Math.max(tried, (low * (1.0 + (CLOSEST * Math.pow(2.0, step))))), (high * (1.0 - (CLOSEST * Math.pow(2.0, step)))));
+    middle = (((step < STEPS) && (low < tried && tried < high)) ? tried : math.halfway(low, high));
+    value = (sign * above(middle));
+    if ((value >= 0.0)) {
+      [before, after] = [((stays > 0.0) ? (0.5 * before) : before), value];
+      [high, stays] = [middle, 1.0];
+    } else {
+      [before, after] = [value, ((stays < 0.0) ? (0.5 * after) : after)];
+      [low, stays] = [middle, (-1.0)];
+    }
+  }
+  return high;
+};
+
+const FAR = 1e+50;
+
+const branches = math.branches(_change, FAR);
+
+const _branches = (theta, b, E_star, dgamma, control) => {
+  return branches(((a) => (Math.sqrt(a) * _rate(a, theta, b))), _samples(theta, b), least_steepness(control, E_star, dgamma));
+};
+
+const XI_of_stable = {'force': 3.0, 'depth': 1.0};
+
+const growth = (slope, a, control, E_star, dgamma) => {
+  let own;
+  own = (slope - ((XI_of_stable[control] * hess_retraction(a, E_star, dgamma)) / (2.0 * a)));
+  return ((control === 'force') ? (((2.0 * E_star) * a) * own) : own);
+};
+
+const Unknown = (of, back, end = Infinity, order = 2.0, unit = 0.0) => math.record({ of, back, end, order, unit });
+
+const radius_itself = () => {
+  return Unknown(((a) => a), ((x) => [x, math.ones_like(x)]));
+};
+
+const at_the_end = (load, a) => {
+  return load(a);
+};
+
+const NOISE = 4.440892098500626e-16;
+
+const _branch_of = (value, found, load, pulled) => {
+  let first, fits, high, largest, last, least, low, start, top;
+  low = high = least = largest = math.full(value, NaN);
+  for ([first, last] of math.zip(found.first, found.last)) {
+    start = load(first);
+    top = (Number.isFinite(last) ? at_the_end(load, last) : Infinity);
+    top = (Number.isNaN(top) ? Infinity : top);
+    fits = ((value >= (start - ((2.0 * NOISE) * (Math.abs(start) + pulled(first))))) & (value <= top));
+    [low, high] = [(fits ? first : low), (fits ? last : high)];
+    [least, largest] = [(fits ? start : least), (fits ? top : largest)];
+  }
+  return [low, high, least, largest];
+};
+
+const _divided = (value, low, high, least, top, load, corner) => {
+  let above, below, bend, inside;
+  bend = load((corner + math.zeros_like(low)));
+  inside = ((low < corner) & math.logical_not((high <= corner)));
+  above = (inside & (value > bend));
+  below = (inside & math.logical_not(above));
+  [high, top] = [(below ? corner : high), (below ? bend : top)];
+  [low, least] = [(above ? corner : low), (above ? bend : least)];
+  return [low, high, least, top, (low >= corner)];
+};
+
+const _counted = (low, high, beyond, inner, outer) => {
+  let first, last, of, place, reach;
+  of = (a) => {
+    return ((outer == null) ? inner.of(a) : (beyond ? outer.of((beyond ? a : low)) : inner.of(a)));
+  };
+  first = of(low);
+  last = ((high === Infinity) ? Infinity : of(((high === Infinity) ? low : high)));
+  reach = (last - first);
+  place = (t) => {
+    let a, open_, own, own_rate, rate, share, step, x;
+    open_ = math.logical_not(Number.isFinite(reach));
+    share = (open_ ? 0.0 : (t / reach));
+    x = (first + ((share < Infinity) ? (t / (1.0 + share)) : reach));
+    step = (1.0 / Math.pow((1.0 + share), 2));
+    [a, rate] = inner.back(x);
+    if ((outer != null)) {
+      [own, own_rate] = outer.back((beyond ? x : 1.0));
+      [a, rate] = [(beyond ? own : a), (beyond ? own_rate : rate)];
+    }
+    return [a, (rate * step)];
+  };
+  return [first, reach, ((Number.isFinite(reach) | beyond) ? Infinity : (inner.end - first)), place];
+};
+
+const EPS = 2.220446049250313e-16;
+
+const LOST = 0.3;
+
+const SLACK = 1e-06;
+
+const stable_radius = (value, found, load, slope_of, pulled, inner, outer = null, corner = null) => {
+  let a, beyond, ends, excess, far, first, fixed, high, largest, least, least_short, least_unit, low, noise, order, parts, place, ratio, reach, scale, share, short, slope, start, t, top, unit, wanted;
+  [low, high, least, top] = _branch_of(value, found, load, pulled);
+  if ((!Boolean(Number.isFinite(least)))) {
+    return least;
+  }
+  beyond = math.full(low, ((corner == null) && (outer != null)));
+  if ((corner != null)) {
+    [low, high, least, top, beyond] = _divided(value, low, high, least, top, load, corner);
+  }
+  ends = Number.isFinite(top);
+  if (((outer == null) && Boolean(ends))) {
+    ends = (ends & (slope_of(high) < Infinity));
+  }
+  [first, reach, largest, place] = _counted(low, (ends ? high : Infinity), beyond, inner, outer);
+  fixed = (Math.abs(least) + pulled(low));
+  parts = (fixed + Math.abs(value));
+  least_short = ((4.0 * NOISE) * parts);
+  excess = (t) => {
+    let a, known, lost, more, own, short, slope, step;
+    [a, step] = place(t);
+    own = load(a);
+    [more, short] = [(own - least), (ends ? math.maximum((top - own), least_short) : 1.0)];
+    known = (EPS * (fixed + Math.abs(own)));
+    lost = (more <= known);
+    more = (lost ? known : more);
+    slope = (((t * step) * slope_of(a)) * ((1.0 / more) + (ends ? (1.0 / short) : 0.0)));
+    more = (more / short);
+    slope = ((math.logical_not(ends) & (more < (0.5 * wanted))) ? math.maximum(slope, 0.7) : slope);
+    return [more, (lost ? LOST : slope)];
+  };
+  share = (t) => {
+    let a, step;
+    [a, step] = place(t);
+    return ((t * step) / a);
+  };
+  short = (ends ? math.maximum((top - value), least_short) : 1.0);
+  wanted = ((value < Infinity) ? (math.maximum((value - least), 0.0) / short) : 0.0);
+  far = (ends & (wanted > 1.0));
+  [order, least_unit] = [...['order', 'unit']].map((name) => ((outer == null) ? inner[name] : (beyond ? outer[name] : inner[name])));
+  unit = (far ? reach : math.minimum(math.maximum(first, least_unit), largest));
+  [scale, slope] = excess(unit);
+  ratio = (wanted / scale);
+  start = (unit * Math.pow(ratio, (1.0 / (((ratio > 1.0) & math.logical_not(far)) ? 4.0 : order))));
+  start = ((ends & (slope === LOST)) ? reach : start);
+  noise = ((NOISE * parts) * (ends ? ((1.0 + wanted) / short) : 1.0));
+  t = inverse(excess, wanted, start, [SLACK, Infinity], largest, share, true, noise);
+  a = place(t)[0];
+  return (((value === Infinity) & (high === Infinity)) ? Infinity : (Number.isFinite(least) ? a : NaN));
+};
+
+const _radius_from_depth_of_hyperboloid = (d, theta, b, E_star, dgamma) => {
+  let found, radius, stress, unit;
+  unit = exponent_of(b);
+  stress = exponent_of(E_star);
+  E_star = math.ldexp(E_star, (-stress));
+  b = math.ldexp(b, (-unit));
+  dgamma = math.ldexp(dgamma, (-(stress + unit)));
+  d = math.ldexp(d, (-unit));
+  found = _branches(theta, b, E_star, dgamma, 'depth');
+  radius = stable_radius(d, found, ((a) => _depth_2(a, theta, b, E_star, dgamma)), ((a) => growth(_rate(a, theta, b), a, 'depth', E_star, dgamma)), ((a) => hess_retraction(a, E_star, dgamma)), radius_itself());
+  return math.ldexp(radius, unit);
+};
+
+const radius_from_depth_of_hyperboloid = (d, theta, b, E_star, dgamma) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return _radius_from_depth_of_hyperboloid(d, theta, b, E_star, dgamma);
+};
+
+const pull = (a, E_star, dgamma) => {
+  return (((2.0 * E_star) * a) * (math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star))));
+};
+
+const _radius_from_force_of_hyperboloid = (F, theta, b, E_star, dgamma) => {
+  let found, radius, stress, unit;
+  unit = exponent_of(b);
+  stress = exponent_of(E_star);
+  E_star = math.ldexp(E_star, (-stress));
+  b = math.ldexp(b, (-unit));
+  dgamma = math.ldexp(dgamma, (-(stress + unit)));
+  F = math.ldexp(F, (-(stress + (2 * unit))));
+  found = _branches(theta, b, E_star, dgamma, 'force');
+  radius = stable_radius(F, found, ((a) => _force_2(a, theta, b, E_star, dgamma)), ((a) => growth(_rate(a, theta, b), a, 'force', E_star, dgamma)), ((a) => pull(a, E_star, dgamma)), radius_itself());
+  return math.ldexp(radius, unit);
+};
+
+const radius_from_force_of_hyperboloid = (F, theta, b, E_star, dgamma) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return _radius_from_force_of_hyperboloid(F, theta, b, E_star, dgamma);
+};
+
+const _pull_off_radius = (theta, b, E_star, dgamma, control) => {
+  let found, load, radius, stress, unit;
+  unit = exponent_of(b);
+  stress = exponent_of(E_star);
+  E_star = math.ldexp(E_star, (-stress));
+  b = math.ldexp(b, (-unit));
+  dgamma = math.ldexp(dgamma, (-(stress + unit)));
+  found = _branches(theta, b, E_star, dgamma, control);
+  load = ((control === 'force') ? _force_2 : _depth_2);
+  radius = math.lowest(found, ((a) => load(a, theta, b, E_star, dgamma)));
+  return math.ldexp(radius, unit);
+};
+
+const PullOff = (radius, force, depth) => math.record({ radius, force, depth });
+
+const pull_off = (control = 'force', theta, b, E_star, dgamma) => {
+  let depth, force, radius;
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  radius = _pull_off_radius(theta, b, E_star, dgamma, control);
+  force = ((radius >= 0.0) ? _force_2(radius, theta, b, E_star, dgamma) : NaN);
+  depth = ((radius >= 0.0) ? _depth_2(radius, theta, b, E_star, dgamma) : NaN);
+  return PullOff(radius, force, depth);
+};
+
 const RULE_0_3 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
 const CLOSE = 0.25;
@@ -900,7 +1286,7 @@ const _gap = (a, c, outer, inner) => {
   return math.where((a > c), (((a - c) * (a + c)) / (outer + inner)), 0.0);
 };
 
-const growth = math.in_groups((slope, order, r, c, a, close) => {
+const growth_of_slip = math.in_groups((slope, order, r, c, a, close) => {
   let integrand, root, stop;
   root = difference_root(c, r);
   stop = Math.log1p((((a - c) + _gap(a, c, difference_root(a, r), root)) / (c + root)));
@@ -916,7 +1302,7 @@ const _tangential_force_of_hyperboloid = (a, c, theta, b, E_star, mu) => {
   let close, gain, sticking, whole;
   [whole, sticking] = [_force_of_hyperboloid(a, theta, b, E_star), _force_of_hyperboloid(c, theta, b, E_star)];
   close = (sticking >= (CLOSE * whole));
-  gain = ((2.0 * E_star) * growth(_slope, [theta, b], 2, 0.0, c, a, close));
+  gain = ((2.0 * E_star) * growth_of_slip(_slope, [theta, b], 2, 0.0, c, a, close));
   return (mu * math.where(close, gain, (whole - sticking)));
 };
 
@@ -999,7 +1385,7 @@ const _traction_of_hyperboloid = (r, a, c, theta, b, E_star, mu) => {
   sliding = _pressure_of_hyperboloid(r, a, theta, b, E_star);
   stuck = _pressure_of_hyperboloid(r, c, theta, b, E_star);
   close = ((r < c) & (stuck >= (CLOSE * sliding)));
-  gain = ((E_star / Math.PI) * growth(_slope, [theta, b], 0, r, c, a, close));
+  gain = ((E_star / Math.PI) * growth_of_slip(_slope, [theta, b], 0, r, c, a, close));
   return (mu * math.where(close, gain, (sliding - stuck)));
 };
 
@@ -1100,7 +1486,7 @@ const _tangential_displacement_of_hyperboloid = (a, c, theta, b, E_star, G_star,
   let close, gain, sticking, whole;
   [whole, sticking] = [_depth_of_hyperboloid(a, theta, b), _depth_of_hyperboloid(c, theta, b)];
   close = (sticking >= (CLOSE * whole));
-  gain = growth(_slope, [theta, b], 1, 0.0, c, a, close);
+  gain = growth_of_slip(_slope, [theta, b], 1, 0.0, c, a, close);
   return ((mu * (E_star / G_star)) * math.where(close, gain, (whole - sticking)));
 };
 
@@ -1203,6 +1589,850 @@ const full_slip_displacement = (a, theta, b, E_star, G_star, mu) => {
   return ((a >= 0.0) ? _full_slip_displacement(a, theta, b, E_star, G_star, mu) : NaN);
 };
 
+const sine_over = (y) => {
+  let v2;
+  v2 = (y > 0.0);
+  if (v2) {
+    return (Math.sin(y) / (v2 ? y : 1.0));
+  }
+  return 1.0;
+};
+
+const NODES = 64;
+
+const weighted = (smooth, stop, power, count = NODES, above = null) => {
+  let end, pairs;
+  if ((power >= (-0.25))) {
+    return math.fsum([...math.products(power, count, false)].map(([node, weight]) => (weight * smooth((node * stop)))));
+  }
+  above = ((above == null) ? (1.0 + power) : above);
+  end = smooth(0.0);
+  pairs = math.products(above, count, true);
+  return ((end / above) + math.fsum([...pairs].map(([node, weight]) => (weight * (smooth((node * stop)) - end)))));
+};
+
+const sine_mean = (angle, k) => {
+  return weighted(((y) => Math.pow(sine_over(y), k)), angle, k, 24);
+};
+
+const hyperboloid_depth = (a, b, k) => {
+  let angle;
+  angle = Math.atan2(a, b);
+  return ((a > 0.0) ? (((a * angle) * Math.pow(((Math.hypot(a, b) / a) * angle), k)) * sine_mean(angle, k)) : 0.0);
+};
+
+const _depth_3 = (a, theta, b, k) => {
+  return (hyperboloid_depth(a, b, k) * Math.tan(theta));
+};
+
+const depth_2 = (a, theta, b, k) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _depth_3(a, theta, b, k) : NaN);
+};
+
+const hyperboloid_force = (a, b, k) => {
+  let angle, c, integrand;
+  angle = Math.atan2(a, b);
+  integrand = (y) => {
+    return ((Math.pow(sine_over(y), k) * Math.sin((angle - y))) * Math.sin((angle + y)));
+  };
+  c = Math.hypot(a, b);
+  return ((a > 0.0) ? ((((c * c) * angle) * Math.pow((c * angle), k)) * weighted(integrand, angle, k)) : 0.0);
+};
+
+const _force_3 = (a, theta, b, H, k) => {
+  let growth;
+  growth = (hyperboloid_force(a, b, k) * Math.tan(theta));
+  return (((2.0 * H) / (1.0 + k)) * growth);
+};
+
+const force_2 = (a, theta, b, H, k) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _force_3(a, theta, b, H, k) : NaN);
+};
+
+const hyperboloid_rate = (t, b, k) => {
+  let angle, c;
+  [c, angle] = [Math.hypot(t, b), Math.atan2(t, b)];
+  return ((((angle * Math.pow(((c / t) * angle), k)) * sine_mean(angle, k)) * (1.0 - (k * Math.pow((b / c), 2)))) + ((t / c) * (b / c)));
+};
+
+const _AXIS = Math.pow(2.0, (-60));
+
+const _off_axis = (r, a) => {
+  return math.maximum(r, (_AXIS * a));
+};
+
+const _PANEL = 3.0;
+
+const _panel = (scale, reach, longest) => {
+  let first, whole;
+  whole = Math.asinh((reach / scale));
+  first = math.minimum(whole, longest);
+  return [first, math.where((first < whole), (scale * Math.sinh(first)), reach)];
+};
+
+const sinh_over = (v) => {
+  let v2;
+  v2 = (v > 0.0);
+  if (v2) {
+    return (Math.sinh(v) / (v2 ? v : 1.0));
+  }
+  return 1.0;
+};
+
+const STRIPS_of_rules = [[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]];
+
+const nodes_for = (length) => {
+  let count, longest, reached;
+  longest = Number(math.maximum(length));
+  for ([reached, count] of STRIPS_of_rules.slice(0, 2)) {
+    if ((longest <= reached)) {
+      return (2 * count);
+    }
+  }
+  return NODES;
+};
+
+const growth_far = (integrand, start, reach, scale) => {
+  let along, half, long, rising;
+  long = (reach > start);
+  if ((!Boolean(long))) {
+    return math.zeros_like(start);
+  }
+  half = math.where(long, Math.log((Math.sqrt(reach) / Math.sqrt(math.where(long, start, 1.0)))), 0.0);
+  along = (y) => {
+    let far;
+    far = Math.hypot(scale, y);
+    return (integrand(y, far) * (y / far));
+  };
+  rising = math.integral_in_strip(((x) => along((start * Math.exp(x)))), half);
+  return (rising + math.integral_in_strip(((x) => along((reach * Math.exp((-x))))), half));
+};
+
+const raised = (x, k) => {
+  if ((x > 0.0)) {
+    return (x * Math.pow(x, k));
+  }
+  return 0.0;
+};
+
+const _from_branch = (smooth, scale, reach, k, above = null) => {
+  let first, near, rest, start, weighed;
+  [first, start] = _panel(scale, reach, _PANEL);
+  weighed = (v) => {
+    return (smooth((scale * Math.sinh(v)), (scale * Math.cosh(v))) * Math.pow(sinh_over(v), k));
+  };
+  near = weighted(weighed, first, k, nodes_for(first), above);
+  rest = growth_far(((y, far) => (Math.pow(y, k) * smooth(y, far))), start, reach, scale);
+  return ((Math.pow(scale, k) * (raised(first, k) * near)) + rest);
+};
+
+const sinh_growth = (slope, r, a, b, k) => {
+  let smooth;
+  r = _off_axis(r, a);
+  smooth = (near, far) => {
+    let t;
+    t = Math.hypot(r, near);
+    return ((slope(t) / t) * far);
+  };
+  return _from_branch(smooth, Math.hypot(r, b), difference_root(a, r), k);
+};
+
+const hyperboloid_pressure = (r, a, b, k) => {
+  return sinh_growth(((t) => hyperboloid_rate(t, b, k)), r, a, b, k);
+};
+
+const _pressure_4 = (r, a, theta, b, H, k) => {
+  let growth, inside;
+  inside = math.minimum(r, a);
+  growth = (hyperboloid_pressure(inside, a, b, k) * Math.tan(theta));
+  return math.where((r < a), ((H / Math.PI) * growth), 0.0);
+};
+
+const pressure_2 = (r, a, theta, b, H, k) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure_4(r, a, theta, b, H, k) : 0.0) : NaN);
+};
+
+const punch_scale = (k) => {
+  return (0.6366197723675814 * Math.sin((1.5707963267948966 * (1.0 - Math.abs(k)))));
+};
+
+const EDGE = [[3.0, 32], [11.0, 64]];
+
+const NODES_of_displacement = 64;
+
+const from_edge = (shape, a, q, c, stop, k, steep = false) => {
+  let count, first, half, length, longest, ratio, second, smooth;
+  ratio = (c / q);
+  smooth = (v, sinh) => {
+    let z;
+    z = (c * sinh);
+    return ((shape(difference_root(a, z), z) * Math.cosh(v)) / (1.0 + Math.pow((ratio * sinh), 2)));
+  };
+  first = (v) => {
+    let sinh;
+    sinh = Math.sinh(v);
+    return (smooth(v, sinh) * Math.pow(((v > 0.0) ? (sinh / ((v > 0.0) ? v : 1.0)) : 1.0), k));
+  };
+  second = (v) => {
+    let sinh;
+    sinh = Math.sinh((half + v));
+    return (smooth((half + v), sinh) * Math.pow(sinh, k));
+  };
+  longest = (steep ? Infinity : Number(math.maximum((Number.isFinite(stop) ? stop : 0.0))));
+  for ([length, count] of EDGE) {
+    if ((longest <= length)) {
+      return ((raised(ratio, k) * raised(stop, k)) * weighted(first, stop, k, count));
+    }
+  }
+  half = (stop / 2.0);
+  return (raised(ratio, k) * ((raised(half, k) * weighted(first, half, k)) + math.integral(second, half, NODES_of_displacement)));
+};
+
+const punch_share = (r, a, k) => {
+  let q, stop;
+  q = difference_root(r, a);
+  stop = Math.asinh((a / q));
+  return (punch_scale(k) * from_edge(((s, z) => math.ones_like(z)), a, q, q, stop, k));
+};
+
+const _Gap = (outside, q, even, grown) => math.record({ outside, q, even, grown });
+
+const _gap_of_displacement = (r, a, k) => {
+  let even, outside, q, share;
+  outside = (r > a);
+  q = (outside ? difference_root(math.maximum(r, a), a) : a);
+  share = ((1.0 - k) * (outside ? punch_share(r, a, k) : 1.0));
+  even = ((share > 0.0) ? (share * raised((q / a), k)) : 0.0);
+  return _Gap(outside, q, even, ((outside ? punch_scale(k) : 0.0) + (share * raised((a / q), (-k)))));
+};
+
+const _weighed = (gap, shape, a) => {
+  return ((s, z) => (shape(s, z) * ((gap.grown * Math.pow((z / a), 2)) + gap.even)));
+};
+
+const kernel = (sine, cosine, ratio, k) => {
+  let v9;
+  v9 = (ratio * sine);
+  return (((ratio * Math.pow(ratio, k)) * (Math.pow(sine, k) * cosine)) / (1.0 + (v9 * v9)));
+};
+
+const SPLIT = 0.5235987755982988;
+
+const _joined = (gap, a, value, fall) => {
+  return ((a > 0.0) ? (gap.outside ? value : (value + fall)) : 0.0);
+};
+
+const hyperboloid_displacement = (r, a, b, k) => {
+  let far, gap, near, ratio, root, shape, smooth;
+  gap = _gap_of_displacement(r, a, k);
+  shape = _weighed(gap, ((s, z) => (a * (a / (Math.hypot(a, b) + Math.hypot(s, b))))), a);
+  near = from_edge(shape, a, gap.q, gap.q, Math.asinh(((a / gap.q) / 2.0)), k);
+  ratio = (b / a);
+  smooth = (x) => {
+    let value, y;
+    y = (ratio * Math.sinh(x));
+    value = (shape((a * Math.sin(y)), (a * Math.cos(y))) * kernel(Math.cos(y), Math.sin(y), (a / gap.q), k));
+    return ((value * ratio) * Math.cosh(x));
+  };
+  far = math.integral(smooth, (Math.asinh((((Math.PI / 2.0) - SPLIT) / ratio)) + math.zeros_like(gap.q)), NODES_of_displacement);
+  root = difference_root(a, r);
+  return _joined(gap, a, (near + far), (root * (root / (Math.hypot(a, b) + Math.hypot(r, b)))));
+};
+
+const _displacement_4 = (r, a, theta, b, k) => {
+  return (hyperboloid_displacement(r, a, b, k) * Math.tan(theta));
+};
+
+const displacement_2 = (r, a, theta, b, k) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_4(r, a, theta, b, k) : 0.0) : NaN);
+};
+
+const punch_stiffness = (a, H, k) => {
+  return (((2.0 * H) / (1.0 + k)) * ((a > 0.0) ? (a * Math.pow(a, k)) : 0.0));
+};
+
+const _stiffness_3 = (a, H, k) => {
+  return punch_stiffness(a, H, k);
+};
+
+const _stiffness_2 = (a, H, k, theta = 0.7853981633974483, b = 1.0) => {
+  if (((a > 1e-30) && (a < 1e+30) && (H > 1e-30) && (H < 1e+30) && (k > 1e-30) && (k < 1.0) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30))) {
+    return (((2.0 * H) / (1.0 + k)) * ((a > 0.0) ? (a * Math.pow(a, k)) : 0.0));
+  }
+  return _stiffness_3(a, H, k);
+};
+
+const stiffness_of_hyperboloid = (a, theta, b, H, k) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _stiffness_2(a, H, k) : NaN);
+};
+
+const _mean_pressure_2 = (a, theta, b, H, k) => {
+  return ((a > 0.0) ? (_force_3(a, theta, b, H, k) / ((Math.PI * a) * a)) : 0.0);
+};
+
+const mean_pressure_of_hyperboloid = (a, theta, b, H, k) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _mean_pressure_2(a, theta, b, H, k) : NaN);
+};
+
+const _rate_of_hyperboloid = (a, theta, b, k) => {
+  return (hyperboloid_rate(a, b, k) * Math.tan(theta));
+};
+
+const _curve = (load, rate, needs) => {
+  let curve;
+  curve = (a) => {
+    let own;
+    own = load(a, ...needs);
+    return [own, ((a * rate(a, ...needs)) / own)];
+  };
+  return curve;
+};
+
+const SLACK_of_inverse = 1e-06;
+
+const radius_to = (load, rate, value, start, needs) => {
+  value = (value + math.zeros(1));
+  start = (start + math.zeros_like(value));
+  return inverse(_curve(load, rate, needs), value, start, [SLACK_of_inverse, Infinity], undefined, undefined, true);
+};
+
+const _radius_from_depth_2 = (d, theta, b, k) => {
+  return radius_to(_depth_3, _rate_of_hyperboloid, d, (1.5 * b), [theta, b, k]);
+};
+
+const radius_from_depth_2 = (d, theta, b, k) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return ((d >= 0.0) ? _radius_from_depth_2(d, theta, b, k) : NaN);
+};
+
+const _force_rate = (a, theta, b, H, k) => {
+  return (punch_stiffness(a, H, k) * _rate_of_hyperboloid(a, theta, b, k));
+};
+
+const _radius_from_force_2 = (F, theta, b, H, k) => {
+  return radius_to(_force_3, _force_rate, F, (1.5 * b), [theta, b, H, k]);
+};
+
+const radius_from_force_2 = (F, theta, b, H, k) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return ((F >= 0.0) ? _radius_from_force_2(F, theta, b, H, k) : NaN);
+};
+
+const punch_force = (d, a, H, k) => {
+  let v14;
+  v14 = (((2.0 * H) / (1.0 + k)) * ((a > 0.0) ? (a * Math.pow(a, k)) : 0.0));
+  if (((v14 > 0.0) && (v14 < Infinity))) {
+    return (v14 * d);
+  }
+  return 0.0;
+};
+
+const _force_from_depth_of_hyperboloid = (d, theta, b, H, k) => {
+  let a;
+  a = _radius_from_depth_2(d, theta, b, k);
+  return (_force_3(a, theta, b, H, k) + punch_force((d - _depth_3(a, theta, b, k)), a, H, k));
+};
+
+const force_from_depth_of_hyperboloid = (d, theta, b, H, k) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return ((d >= 0.0) ? _force_from_depth_of_hyperboloid(d, theta, b, H, k) : NaN);
+};
+
+const punch_depth = (F, a, H, k) => {
+  let v14;
+  v14 = (((2.0 * H) / (1.0 + k)) * ((a > 0.0) ? (a * Math.pow(a, k)) : 0.0));
+  if (((v14 > 0.0) && (v14 < Infinity))) {
+    return (F / v14);
+  }
+  return 0.0;
+};
+
+const _depth_from_force_of_hyperboloid = (F, theta, b, H, k) => {
+  let a;
+  a = _radius_from_force_2(F, theta, b, H, k);
+  return (_depth_3(a, theta, b, k) + punch_depth((F - _force_3(a, theta, b, H, k)), a, H, k));
+};
+
+const depth_from_force_of_hyperboloid = (F, theta, b, H, k) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return ((F >= 0.0) ? _depth_from_force_of_hyperboloid(F, theta, b, H, k) : NaN);
+};
+
+const graded_retraction = (a, H, k, dgamma) => {
+  if ((a > 0.0)) {
+    return ((math.sqrt(((6.283185307179586 * dgamma) / H)) * math.sqrt(a)) * math.sqrt(Math.pow(a, (-k))));
+  }
+  return 0.0;
+};
+
+const retraction_of_hyperboloid = (a, H, k, dgamma) => {
+  if ((!((0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? graded_retraction(a, H, k, dgamma) : NaN);
+};
+
+const _depth_4 = (a, theta, b, H, k, dgamma) => {
+  return (_depth_3(a, theta, b, k) - graded_retraction(a, H, k, dgamma));
+};
+
+const depth_3 = (a, theta, b, H, k, dgamma) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _depth_4(a, theta, b, H, k, dgamma) : NaN);
+};
+
+const _force_4 = (a, theta, b, H, k, dgamma) => {
+  return (_force_3(a, theta, b, H, k) - (punch_stiffness(a, H, k) * graded_retraction(a, H, k, dgamma)));
+};
+
+const force_3 = (a, theta, b, H, k, dgamma) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _force_4(a, theta, b, H, k, dgamma) : NaN);
+};
+
+const tension_of_punch = (r, a, H, k, dgamma) => {
+  let v17, v19, v23, v33;
+  v17 = ((a > 0.0) ? ((math.sqrt(((6.283185307179586 * dgamma) / H)) * math.sqrt(a)) * math.sqrt(Math.pow(a, (-k)))) : 0.0);
+  if ((v17 > 0.0)) {
+    if ((r < a)) {
+      v19 = (a - r);
+      v23 = math.sqrt(((((v19 > 0.0) || (v19 !== v19)) ? v19 : 0.0) * (a + r)));
+      v33 = (((H / 3.141592653589793) * Math.pow(v23, k)) / v23);
+    } else {
+      v33 = ((r > a) ? 0.0 : Infinity);
+    }
+    return (v17 * v33);
+  }
+  return 0.0;
+};
+
+const _pressure_5 = (r, a, theta, b, H, k, dgamma) => {
+  return (_pressure_4(r, a, theta, b, H, k) - tension_of_punch(r, a, H, k, dgamma));
+};
+
+const pressure_3 = (r, a, theta, b, H, k, dgamma) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure_5(r, a, theta, b, H, k, dgamma) : 0.0) : NaN);
+};
+
+const punch_displacement = (r, a, k) => {
+  return ((r > a) ? punch_share(r, a, k) : 1.0);
+};
+
+const _displacement_5 = (r, a, theta, b, H, k, dgamma) => {
+  return (_displacement_4(r, a, theta, b, k) - (graded_retraction(a, H, k, dgamma) * punch_displacement(r, a, k)));
+};
+
+const displacement_3 = (r, a, theta, b, H, k, dgamma) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_5(r, a, theta, b, H, k, dgamma) : 0.0) : NaN);
+};
+
+const halves = (x) => {
+  let v2, v4;
+  v2 = (134217729.0 * x);
+  v4 = (v2 - (v2 - x));
+  return [v4, (x - v4)];
+};
+
+const stress_at = (unit, H, k) => {
+  let exponent, high, low, mantissa, whole;
+  [mantissa, exponent] = math.frexp(H);
+  [high, low] = halves(k);
+  whole = Math.floor(((unit * high) + 0.5));
+  return [(exponent + exponent_of(math.exp2(whole))), (mantissa * math.exp2((((unit * high) - whole) + (unit * low))))];
+};
+
+const _samples_of_hyperboloid = (theta, b, k) => {
+  let a;
+  a = decades();
+  return ({ radii: a, end: Infinity });
+};
+
+const STATIONARY = {'force': [3.0, 1.0], 'depth': [1.0, (-1.0)]};
+
+const stationary = (control, k) => {
+  let constant, slope;
+  [constant, slope] = STATIONARY[control];
+  return (constant + (slope * k));
+};
+
+const least_steepness_of_punch = (control, H, k, dgamma) => {
+  return (stationary(control, k) * Math.sqrt(((Math.PI * dgamma) / (2.0 * H))));
+};
+
+const _branches_of_hyperboloid = (theta, b, H, k, dgamma, control) => {
+  return branches(((a) => (Math.pow(a, ((1.0 + k) / 2.0)) * _rate_of_hyperboloid(a, theta, b, k))), _samples_of_hyperboloid(theta, b, k), least_steepness_of_punch(control, H, k, dgamma));
+};
+
+const growth_of = (rate, geometry, H, k, dgamma, control) => {
+  let growth;
+  growth = (a) => {
+    let slope;
+    slope = (rate(a, ...geometry) - ((stationary(control, k) * graded_retraction(a, H, k, dgamma)) / (2.0 * a)));
+    return ((control === 'force') ? (slope * punch_stiffness(a, H, k)) : slope);
+  };
+  return growth;
+};
+
+const pull_of = (H, k, dgamma, control) => {
+  let pulled;
+  pulled = (a) => {
+    let moved;
+    moved = graded_retraction(a, H, k, dgamma);
+    return ((control === 'force') ? (moved * punch_stiffness(a, H, k)) : moved);
+  };
+  return pulled;
+};
+
+const _radius_from_depth_3 = (d, theta, b, H, k, dgamma) => {
+  let found, pulled, radius, slope, stress, unit;
+  unit = exponent_of(b);
+  [stress, H] = stress_at(unit, H, k);
+  b = math.ldexp(b, (-unit));
+  dgamma = math.ldexp(dgamma, (-(stress + unit)));
+  d = math.ldexp(d, (-unit));
+  found = _branches_of_hyperboloid(theta, b, H, k, dgamma, 'depth');
+  slope = growth_of(_rate_of_hyperboloid, [theta, b, k], H, k, dgamma, 'depth');
+  pulled = pull_of(H, k, dgamma, 'depth');
+  radius = stable_radius(d, found, ((a) => _depth_4(a, theta, b, H, k, dgamma)), slope, pulled, radius_itself());
+  return math.ldexp(radius, unit);
+};
+
+const radius_from_depth_3 = (d, theta, b, H, k, dgamma) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return _radius_from_depth_3(d, theta, b, H, k, dgamma);
+};
+
+const _radius_from_force_3 = (F, theta, b, H, k, dgamma) => {
+  let found, pulled, radius, slope, stress, unit;
+  unit = exponent_of(b);
+  [stress, H] = stress_at(unit, H, k);
+  b = math.ldexp(b, (-unit));
+  dgamma = math.ldexp(dgamma, (-(stress + unit)));
+  F = math.ldexp(F, (-(stress + (2 * unit))));
+  found = _branches_of_hyperboloid(theta, b, H, k, dgamma, 'force');
+  slope = growth_of(_rate_of_hyperboloid, [theta, b, k], H, k, dgamma, 'force');
+  pulled = pull_of(H, k, dgamma, 'force');
+  radius = stable_radius(F, found, ((a) => _force_4(a, theta, b, H, k, dgamma)), slope, pulled, radius_itself());
+  return math.ldexp(radius, unit);
+};
+
+const radius_from_force_3 = (F, theta, b, H, k, dgamma) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return _radius_from_force_3(F, theta, b, H, k, dgamma);
+};
+
+const _pull_off_radius_of_hyperboloid = (theta, b, H, k, dgamma, control) => {
+  let found, load, radius, stress, unit;
+  unit = exponent_of(b);
+  [stress, H] = stress_at(unit, H, k);
+  b = math.ldexp(b, (-unit));
+  dgamma = math.ldexp(dgamma, (-(stress + unit)));
+  found = _branches_of_hyperboloid(theta, b, H, k, dgamma, control);
+  load = ((control === 'force') ? _force_4 : _depth_4);
+  radius = math.lowest(found, ((a) => load(a, theta, b, H, k, dgamma)));
+  return math.ldexp(radius, unit);
+};
+
+const pull_off_of_hyperboloid = (control = 'force', theta, b, H, k, dgamma) => {
+  let depth, force, radius;
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  radius = _pull_off_radius_of_hyperboloid(theta, b, H, k, dgamma, control);
+  force = ((radius >= 0.0) ? _force_4(radius, theta, b, H, k, dgamma) : NaN);
+  depth = ((radius >= 0.0) ? _depth_4(radius, theta, b, H, k, dgamma) : NaN);
+  return PullOff(radius, force, depth);
+};
+
+const _close = (m, c, a) => {
+  let inner;
+  inner = difference_root(c, m);
+  return ((inner > 0.0) & (inner >= (CLOSE * difference_root(a, m))));
+};
+
+const _weight = (quantity, t, y, k) => {
+  if ((quantity === 'depth')) {
+    return 1.0;
+  }
+  return ((quantity === 'force') ? (t * Math.pow(t, k)) : (Math.pow(y, k) / y));
+};
+
+const _span = (c, a, distance) => {
+  return math.where((a > c), (0.5 * Math.log1p((((a - c) / distance) * ((a + c) / distance)))), 0.0);
+};
+
+const _grown = (quantity, rate, r, c, a, b, k, close) => {
+  let branch, holds, integrand, start;
+  branch = math.maximum(r, b);
+  start = difference_root(c, branch);
+  integrand = (w) => {
+    let distance, root, t, y;
+    distance = (start * Math.exp(w));
+    [t, root, y] = [...[0.0, b, r]].map((x) => Math.sqrt((((branch - x) * (branch + x)) + (distance * distance))));
+    return (((rate(t, root) * _weight(quantity, t, y, k)) * distance) * (distance / t));
+  };
+  holds = (close & (start > 0.0));
+  return math.where(holds, math.integral_in_strip(integrand, math.where(holds, _span(c, a, start), 0.0)), 0.0);
+};
+
+const either = (condition, x, y) => {
+  if (Boolean(condition)) {
+    return x();
+  }
+  return (Boolean(condition) ? (condition ? x() : y()) : y());
+};
+
+const smooth_gain = (quantity, whole, rate, lengths, r, c, a, k) => {
+  let close, fields;
+  close = _close(r, c, a);
+  fields = ((quantity === 'pressure') ? [r] : []);
+  return either(close, (() => _grown(quantity, ((t, _) => rate(t, ...lengths, k)), r, c, a, 0.0, k, close)), (() => (whole(...fields, a, ...lengths, k) - whole(...fields, c, ...lengths, k))));
+};
+
+const _tangential_force_2 = (a, c, theta, b, H, k, mu) => {
+  let gain;
+  gain = (smooth_gain('force', hyperboloid_force, hyperboloid_rate, [b], 0.0, c, a, k) * Math.tan(theta));
+  return ((mu * ((2.0 * H) / (1.0 + k))) * gain);
+};
+
+const tangential_force_of_hyperboloid = (a, c, theta, b, H, k, mu) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  if ((!(!(c > a)))) {
+    return NaN;
+  }
+  return (((a >= 0.0) && (c >= 0.0)) ? _tangential_force_2(a, c, theta, b, H, k, mu) : NaN);
+};
+
+const _traction_2 = (r, a, c, theta, b, H, k, mu) => {
+  let gain;
+  gain = () => {
+    let inside;
+    inside = math.minimum(r, c);
+    return (smooth_gain('pressure', hyperboloid_pressure, hyperboloid_rate, [b], inside, c, a, k) * Math.tan(theta));
+  };
+  return (mu * either((r < c), (() => ((H / Math.PI) * gain())), (() => _pressure_4(r, a, theta, b, H, k))));
+};
+
+const traction_of_hyperboloid = (r, a, c, theta, b, H, k, mu) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  if ((!(!(c > a)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0) && (c >= 0.0)) ? ((r < Infinity) ? _traction_2(r, a, c, theta, b, H, k, mu) : 0.0) : NaN);
+};
+
+const _tangential_displacement_2 = (a, c, theta, b, H, H_x, k, mu) => {
+  let gain;
+  gain = (smooth_gain('depth', hyperboloid_depth, hyperboloid_rate, [b], 0.0, c, a, k) * Math.tan(theta));
+  return ((mu * (H / H_x)) * gain);
+};
+
+const tangential_displacement_of_hyperboloid = (a, c, theta, b, H, H_x, k, mu) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < H && H < Infinity) && (0.0 < H_x && H_x < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  if ((!(!(c > a)))) {
+    return NaN;
+  }
+  return (((a >= 0.0) && (c >= 0.0)) ? _tangential_displacement_2(a, c, theta, b, H, H_x, k, mu) : NaN);
+};
+
+const _stick_radius_of_hyperboloid = (F_x, a, theta, b, H, k, mu) => {
+  let F;
+  F = stick_force(_force_3(a, theta, b, H, k), F_x, mu);
+  return (((F_x === 0.0) & (a >= 0.0)) ? a : _radius_from_force_2(F, theta, b, H, k));
+};
+
+const stick_radius_of_hyperboloid = (F_x, a, theta, b, H, k, mu) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  return (((F_x >= 0.0) && (a >= 0.0)) ? _stick_radius_of_hyperboloid(F_x, a, theta, b, H, k, mu) : NaN);
+};
+
+const _full_slip_displacement_2 = (a, theta, b, H, H_x, k, mu) => {
+  return ((mu * (H / H_x)) * _depth_3(a, theta, b, k));
+};
+
+const full_slip_displacement_of_hyperboloid = (a, theta, b, H, H_x, k, mu) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < H && H < Infinity) && (0.0 < H_x && H_x < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _full_slip_displacement_2(a, theta, b, H, H_x, k, mu) : NaN);
+};
+
+const relaxation_maxwell = (t, E, tau) => {
+  return (E * Math.exp(((-t) / tau)));
+};
+
+const _step_force_maxwell = (t, d, theta, b, E, tau) => {
+  return (relaxation_maxwell(t, E, tau) * _force_from_depth(d, theta, b, 1.0));
+};
+
+const step_force_maxwell = (t, d, theta, b, E, tau) => {
+  if ((!((0.0 <= d && d < Infinity) && (0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E && E < Infinity) && (0.0 < tau && tau < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_force_maxwell(t, d, theta, b, E, tau) : NaN);
+};
+
+const creep_maxwell = (t, E, tau) => {
+  return ((1.0 + (t / tau)) / E);
+};
+
+const _step_load_radius_maxwell = (t, F, theta, b, E, tau) => {
+  return _radius_from_force((F * creep_maxwell(t, E, tau)), theta, b, 1.0);
+};
+
+const step_load_radius_maxwell = (t, F, theta, b, E, tau) => {
+  if ((!((0.0 <= F && F < Infinity) && (0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E && E < Infinity) && (0.0 < tau && tau < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_load_radius_maxwell(t, F, theta, b, E, tau) : NaN);
+};
+
+const relaxation_kelvin_voigt = (t, E, eta) => {
+  if ((t > 0.0)) {
+    return E;
+  }
+  return Infinity;
+};
+
+const _step_force_kelvin_voigt = (t, d, theta, b, E, eta) => {
+  return (relaxation_kelvin_voigt(t, E, eta) * _force_from_depth(d, theta, b, 1.0));
+};
+
+const step_force_kelvin_voigt = (t, d, theta, b, E, eta) => {
+  if ((!((0.0 <= d && d < Infinity) && (0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E && E < Infinity) && (0.0 < eta && eta < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_force_kelvin_voigt(t, d, theta, b, E, eta) : NaN);
+};
+
+const creep_kelvin_voigt = (t, E, eta) => {
+  return ((-Math.expm1((((-E) * t) / eta))) / E);
+};
+
+const _step_load_radius_kelvin_voigt = (t, F, theta, b, E, eta) => {
+  return _radius_from_force((F * creep_kelvin_voigt(t, E, eta)), theta, b, 1.0);
+};
+
+const step_load_radius_kelvin_voigt = (t, F, theta, b, E, eta) => {
+  if ((!((0.0 <= F && F < Infinity) && (0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E && E < Infinity) && (0.0 < eta && eta < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_load_radius_kelvin_voigt(t, F, theta, b, E, eta) : NaN);
+};
+
+const relaxation_standard_solid = (t, E_inf, E_1, tau) => {
+  return (E_inf + (E_1 * Math.exp(((-t) / tau))));
+};
+
+const _step_force_standard_solid = (t, d, theta, b, E_inf, E_1, tau) => {
+  return (relaxation_standard_solid(t, E_inf, E_1, tau) * _force_from_depth(d, theta, b, 1.0));
+};
+
+const step_force_standard_solid = (t, d, theta, b, E_inf, E_1, tau) => {
+  if ((!((0.0 <= d && d < Infinity) && (0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_inf && E_inf < Infinity) && (0.0 <= E_1 && E_1 < Infinity) && (0.0 < tau && tau < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_force_standard_solid(t, d, theta, b, E_inf, E_1, tau) : NaN);
+};
+
+const creep_standard_solid = (t, E_inf, E_1, tau) => {
+  let v4;
+  v4 = (E_inf + E_1);
+  return ((1.0 / v4) - (((E_1 / v4) * Math.expm1((-((t / tau) * (E_inf / v4))))) / E_inf));
+};
+
+const _step_load_radius_standard_solid = (t, F, theta, b, E_inf, E_1, tau) => {
+  return _radius_from_force((F * creep_standard_solid(t, E_inf, E_1, tau)), theta, b, 1.0);
+};
+
+const step_load_radius_standard_solid = (t, F, theta, b, E_inf, E_1, tau) => {
+  if ((!((0.0 <= F && F < Infinity) && (0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_inf && E_inf < Infinity) && (0.0 <= E_1 && E_1 < Infinity) && (0.0 < tau && tau < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_load_radius_standard_solid(t, F, theta, b, E_inf, E_1, tau) : NaN);
+};
+
+const relaxation_power_creep = (t, E, alpha, t_0) => {
+  let v8;
+  v8 = (3.141592653589793 * alpha);
+  return (((E * Math.pow((t_0 / t), alpha)) * Math.sin(v8)) / v8);
+};
+
+const _step_force_power_creep = (t, d, theta, b, E, alpha, t_0) => {
+  return (relaxation_power_creep(t, E, alpha, t_0) * _force_from_depth(d, theta, b, 1.0));
+};
+
+const step_force_power_creep = (t, d, theta, b, E, alpha, t_0) => {
+  if ((!((0.0 <= d && d < Infinity) && (0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E && E < Infinity) && (0.0 < alpha && alpha < 1.0) && (0.0 < t_0 && t_0 < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_force_power_creep(t, d, theta, b, E, alpha, t_0) : NaN);
+};
+
+const creep_power_creep = (t, E, alpha, t_0) => {
+  return (Math.pow((t / t_0), alpha) / E);
+};
+
+const _step_load_radius_power_creep = (t, F, theta, b, E, alpha, t_0) => {
+  return _radius_from_force((F * creep_power_creep(t, E, alpha, t_0)), theta, b, 1.0);
+};
+
+const step_load_radius_power_creep = (t, F, theta, b, E, alpha, t_0) => {
+  if ((!((0.0 <= F && F < Infinity) && (0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E && E < Infinity) && (0.0 < alpha && alpha < 1.0) && (0.0 < t_0 && t_0 < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_load_radius_power_creep(t, F, theta, b, E, alpha, t_0) : NaN);
+};
+
+const once = { peak_pressure: math.kept(peak_pressure), pull_off: math.kept(pull_off), pull_off_of_hyperboloid: math.kept(pull_off_of_hyperboloid) };
 const formulas = {
   "d": (v) => depth(v.a, v.theta, v.b),
   "F": (v) => force(v.a, v.theta, v.b, v.E_star),
@@ -1212,6 +2442,8 @@ const formulas = {
   "pm": (v) => mean_pressure(v.a, v.theta, v.b, v.E_star),
   "U": (v) => energy(v.a, v.theta, v.b, v.E_star),
   "Fr": (v) => load_within(v.r, v.a, v.theta, v.b, v.E_star),
+  "rp": (v) => (once.peak_pressure(v.a, v.theta, v.b, v.E_star).radius ?? NaN),
+  "pp": (v) => (once.peak_pressure(v.a, v.theta, v.b, v.E_star).pressure ?? NaN),
   "ad": (v) => radius_from_depth(v.d, v.theta, v.b),
   "aF": (v) => radius_from_force(v.F, v.theta, v.b, v.E_star),
   "Fd": (v) => force_from_depth(v.d, v.theta, v.b, v.E_star),
@@ -1221,11 +2453,55 @@ const formulas = {
   "adh.F": (v) => force_of_hyperboloid(v.a, v.theta, v.b, v.E_star, v.dgamma),
   "adh.p": (v) => pressure_of_hyperboloid(v.r, v.a, v.theta, v.b, v.E_star, v.dgamma),
   "adh.w": (v) => displacement_of_hyperboloid(v.r, v.a, v.theta, v.b, v.E_star, v.dgamma),
+  "adh.ad": (v) => radius_from_depth_of_hyperboloid(v.d, v.theta, v.b, v.E_star, v.dgamma),
+  "adh.aF": (v) => radius_from_force_of_hyperboloid(v.F, v.theta, v.b, v.E_star, v.dgamma),
+  "adh.ac": (v) => (once.pull_off('force', v.theta, v.b, v.E_star, v.dgamma).radius ?? NaN),
+  "adh.Fc": (v) => (once.pull_off('force', v.theta, v.b, v.E_star, v.dgamma).force ?? NaN),
+  "adh.dc": (v) => (once.pull_off('force', v.theta, v.b, v.E_star, v.dgamma).depth ?? NaN),
+  "adh.am": (v) => (once.pull_off('depth', v.theta, v.b, v.E_star, v.dgamma).radius ?? NaN),
+  "adh.Fm": (v) => (once.pull_off('depth', v.theta, v.b, v.E_star, v.dgamma).force ?? NaN),
+  "adh.dm": (v) => (once.pull_off('depth', v.theta, v.b, v.E_star, v.dgamma).depth ?? NaN),
   "tan.F": (v) => tangential_force(v.a, v.c, v.theta, v.b, v.E_star, v.mu),
   "tan.tau": (v) => traction(v.r, v.a, v.c, v.theta, v.b, v.E_star, v.mu),
   "tan.u": (v) => tangential_displacement(v.a, v.c, v.theta, v.b, v.E_star, v.G_star, v.mu),
   "tan.c": (v) => stick_radius(v.F_x, v.a, v.theta, v.b, v.E_star, v.mu),
   "tan.us": (v) => full_slip_displacement(v.a, v.theta, v.b, v.E_star, v.G_star, v.mu),
+  "fgm.d": (v) => depth_2(v.a, v.theta, v.b, v.k),
+  "fgm.F": (v) => force_2(v.a, v.theta, v.b, v.H, v.k),
+  "fgm.p": (v) => pressure_2(v.r, v.a, v.theta, v.b, v.H, v.k),
+  "fgm.w": (v) => displacement_2(v.r, v.a, v.theta, v.b, v.k),
+  "fgm.k": (v) => stiffness_of_hyperboloid(v.a, v.theta, v.b, v.H, v.k),
+  "fgm.pm": (v) => mean_pressure_of_hyperboloid(v.a, v.theta, v.b, v.H, v.k),
+  "fgm.ad": (v) => radius_from_depth_2(v.d, v.theta, v.b, v.k),
+  "fgm.aF": (v) => radius_from_force_2(v.F, v.theta, v.b, v.H, v.k),
+  "fgm.Fd": (v) => force_from_depth_of_hyperboloid(v.d, v.theta, v.b, v.H, v.k),
+  "fgm.dF": (v) => depth_from_force_of_hyperboloid(v.F, v.theta, v.b, v.H, v.k),
+  "fgm.adh.Dl": (v) => retraction_of_hyperboloid(v.a, v.H, v.k, v.dgamma),
+  "fgm.adh.d": (v) => depth_3(v.a, v.theta, v.b, v.H, v.k, v.dgamma),
+  "fgm.adh.F": (v) => force_3(v.a, v.theta, v.b, v.H, v.k, v.dgamma),
+  "fgm.adh.p": (v) => pressure_3(v.r, v.a, v.theta, v.b, v.H, v.k, v.dgamma),
+  "fgm.adh.w": (v) => displacement_3(v.r, v.a, v.theta, v.b, v.H, v.k, v.dgamma),
+  "fgm.adh.ad": (v) => radius_from_depth_3(v.d, v.theta, v.b, v.H, v.k, v.dgamma),
+  "fgm.adh.aF": (v) => radius_from_force_3(v.F, v.theta, v.b, v.H, v.k, v.dgamma),
+  "fgm.adh.ac": (v) => (once.pull_off_of_hyperboloid('force', v.theta, v.b, v.H, v.k, v.dgamma).radius ?? NaN),
+  "fgm.adh.Fc": (v) => (once.pull_off_of_hyperboloid('force', v.theta, v.b, v.H, v.k, v.dgamma).force ?? NaN),
+  "fgm.adh.dc": (v) => (once.pull_off_of_hyperboloid('force', v.theta, v.b, v.H, v.k, v.dgamma).depth ?? NaN),
+  "fgm.adh.am": (v) => (once.pull_off_of_hyperboloid('depth', v.theta, v.b, v.H, v.k, v.dgamma).radius ?? NaN),
+  "fgm.adh.Fm": (v) => (once.pull_off_of_hyperboloid('depth', v.theta, v.b, v.H, v.k, v.dgamma).force ?? NaN),
+  "fgm.adh.dm": (v) => (once.pull_off_of_hyperboloid('depth', v.theta, v.b, v.H, v.k, v.dgamma).depth ?? NaN),
+  "fgm.tan.F": (v) => tangential_force_of_hyperboloid(v.a, v.c, v.theta, v.b, v.H, v.k, v.mu),
+  "fgm.tan.tau": (v) => traction_of_hyperboloid(v.r, v.a, v.c, v.theta, v.b, v.H, v.k, v.mu),
+  "fgm.tan.u": (v) => tangential_displacement_of_hyperboloid(v.a, v.c, v.theta, v.b, v.H, v.H_x, v.k, v.mu),
+  "fgm.tan.c": (v) => stick_radius_of_hyperboloid(v.F_x, v.a, v.theta, v.b, v.H, v.k, v.mu),
+  "fgm.tan.us": (v) => full_slip_displacement_of_hyperboloid(v.a, v.theta, v.b, v.H, v.H_x, v.k, v.mu),
+  "vis.step_mx": (v) => step_force_maxwell(v.t, v.d, v.theta, v.b, v.E_law, v.tau),
+  "vis.load_mx": (v) => step_load_radius_maxwell(v.t, v.F, v.theta, v.b, v.E_law, v.tau),
+  "vis.step_kv": (v) => step_force_kelvin_voigt(v.t, v.d, v.theta, v.b, v.E_law, v.eta),
+  "vis.load_kv": (v) => step_load_radius_kelvin_voigt(v.t, v.F, v.theta, v.b, v.E_law, v.eta),
+  "vis.step_sls": (v) => step_force_standard_solid(v.t, v.d, v.theta, v.b, v.E_inf, v.E_1, v.tau),
+  "vis.load_sls": (v) => step_load_radius_standard_solid(v.t, v.F, v.theta, v.b, v.E_inf, v.E_1, v.tau),
+  "vis.step_pc": (v) => step_force_power_creep(v.t, v.d, v.theta, v.b, v.E_law, v.alpha, v.t_0),
+  "vis.load_pc": (v) => step_load_radius_power_creep(v.t, v.F, v.theta, v.b, v.E_law, v.alpha, v.t_0),
 };
 window.calculator = { ...{
  "fields": [
@@ -1296,6 +2572,39 @@ window.calculator = { ...{
    "value": ""
   },
   {
+   "name": "H",
+   "tex": "H",
+   "meaning": "foundation modulus of the graded half-space",
+   "unit": "Pa m^(-k)",
+   "rule": "H > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 50000000.0
+  },
+  {
+   "name": "k",
+   "tex": "k",
+   "meaning": "exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space",
+   "unit": "1",
+   "rule": "-1 < k < 1",
+   "low": -1.0,
+   "high": 1.0,
+   "closed": "",
+   "value": 0.3
+  },
+  {
+   "name": "H_x",
+   "tex": "H_x",
+   "meaning": "tangential foundation modulus",
+   "unit": "Pa m^(-k)",
+   "rule": "H_x > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 30000000.0
+  },
+  {
    "name": "mu",
    "tex": "\\mu",
    "meaning": "coefficient of friction",
@@ -1349,6 +2658,94 @@ window.calculator = { ...{
    "high": null,
    "closed": "",
    "value": ""
+  },
+  {
+   "name": "E_law",
+   "tex": "E",
+   "meaning": "effective (plane-strain) modulus of the viscoelastic law",
+   "unit": "Pa",
+   "rule": "E_law > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 3000000.0
+  },
+  {
+   "name": "E_inf",
+   "tex": "E_\\infty",
+   "meaning": "long-time effective modulus",
+   "unit": "Pa",
+   "rule": "E_inf > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 1000000.0
+  },
+  {
+   "name": "E_1",
+   "tex": "E_1",
+   "meaning": "relaxing part of the effective modulus",
+   "unit": "Pa",
+   "rule": "E_1 >= 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "low",
+   "value": 2000000.0
+  },
+  {
+   "name": "tau",
+   "tex": "\\tau",
+   "meaning": "relaxation time",
+   "unit": "s",
+   "rule": "tau > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 1.0
+  },
+  {
+   "name": "eta",
+   "tex": "\\eta",
+   "meaning": "effective viscosity",
+   "unit": "Pa s",
+   "rule": "eta > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 1000000.0
+  },
+  {
+   "name": "alpha",
+   "tex": "\\alpha",
+   "meaning": "exponent of power-law creep",
+   "unit": "1",
+   "rule": "0 < alpha < 1",
+   "low": 0.0,
+   "high": 1.0,
+   "closed": "",
+   "value": 0.3
+  },
+  {
+   "name": "t_0",
+   "tex": "t_0",
+   "meaning": "reference time of power-law creep",
+   "unit": "s",
+   "rule": "t_0 > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 1.0
+  },
+  {
+   "name": "t",
+   "tex": "t",
+   "meaning": "time since first contact",
+   "unit": "s",
+   "rule": "t >= 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "low",
+   "value": 1.0
   }
  ],
  "state": [
@@ -1396,7 +2793,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": "d"
+   "suffix": "d",
+   "medium": 0
   },
   "F": {
    "gives": "F",
@@ -1408,7 +2806,8 @@ window.calculator = { ...{
    ],
    "unit": "N",
    "place": "",
-   "suffix": "F"
+   "suffix": "F",
+   "medium": 0
   },
   "p": {
    "gives": "p",
@@ -1421,7 +2820,8 @@ window.calculator = { ...{
    ],
    "unit": "Pa",
    "place": "inside",
-   "suffix": "p"
+   "suffix": "p",
+   "medium": 0
   },
   "w": {
    "gives": "w",
@@ -1433,7 +2833,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "outside",
-   "suffix": "w"
+   "suffix": "w",
+   "medium": 0
   },
   "k": {
    "gives": "stiffness",
@@ -1445,7 +2846,8 @@ window.calculator = { ...{
    ],
    "unit": "N/m",
    "place": "",
-   "suffix": "k"
+   "suffix": "k",
+   "medium": 0
   },
   "pm": {
    "gives": "p_mean",
@@ -1457,7 +2859,8 @@ window.calculator = { ...{
    ],
    "unit": "Pa",
    "place": "",
-   "suffix": "pm"
+   "suffix": "pm",
+   "medium": 0
   },
   "U": {
    "gives": "U",
@@ -1469,7 +2872,8 @@ window.calculator = { ...{
    ],
    "unit": "J",
    "place": "",
-   "suffix": "U"
+   "suffix": "U",
+   "medium": 0
   },
   "Fr": {
    "gives": "F_r",
@@ -1482,7 +2886,34 @@ window.calculator = { ...{
    ],
    "unit": "N",
    "place": "inside",
-   "suffix": "Fr"
+   "suffix": "Fr",
+   "medium": 0
+  },
+  "rp": {
+   "gives": "r_peak",
+   "needs": [
+    "a",
+    "theta",
+    "b",
+    "E_star"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "pp": {
+   "gives": "p_peak",
+   "needs": [
+    "a",
+    "theta",
+    "b",
+    "E_star"
+   ],
+   "unit": "Pa",
+   "place": "",
+   "suffix": "",
+   "medium": 0
   },
   "ad": {
    "gives": "a",
@@ -1493,7 +2924,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": "ad"
+   "suffix": "ad",
+   "medium": 0
   },
   "aF": {
    "gives": "a",
@@ -1505,7 +2937,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": "aF"
+   "suffix": "aF",
+   "medium": 0
   },
   "Fd": {
    "gives": "F",
@@ -1517,7 +2950,8 @@ window.calculator = { ...{
    ],
    "unit": "N",
    "place": "",
-   "suffix": "Fd"
+   "suffix": "Fd",
+   "medium": 0
   },
   "dF": {
    "gives": "d",
@@ -1529,7 +2963,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": "dF"
+   "suffix": "dF",
+   "medium": 0
   },
   "adh.Dl": {
    "gives": "retraction",
@@ -1540,7 +2975,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
   },
   "adh.d": {
    "gives": "d",
@@ -1553,7 +2989,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
   },
   "adh.F": {
    "gives": "F",
@@ -1566,7 +3003,8 @@ window.calculator = { ...{
    ],
    "unit": "N",
    "place": "",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
   },
   "adh.p": {
    "gives": "p",
@@ -1580,7 +3018,8 @@ window.calculator = { ...{
    ],
    "unit": "Pa",
    "place": "inside",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
   },
   "adh.w": {
    "gives": "w",
@@ -1594,7 +3033,114 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "outside",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.ad": {
+   "gives": "a",
+   "needs": [
+    "d",
+    "theta",
+    "b",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.aF": {
+   "gives": "a",
+   "needs": [
+    "F",
+    "theta",
+    "b",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.ac": {
+   "gives": "a_c",
+   "needs": [
+    "theta",
+    "b",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.Fc": {
+   "gives": "F",
+   "needs": [
+    "theta",
+    "b",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.dc": {
+   "gives": "d",
+   "needs": [
+    "theta",
+    "b",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.am": {
+   "gives": "a_c",
+   "needs": [
+    "theta",
+    "b",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.Fm": {
+   "gives": "F",
+   "needs": [
+    "theta",
+    "b",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.dm": {
+   "gives": "d",
+   "needs": [
+    "theta",
+    "b",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
   },
   "tan.F": {
    "gives": "F_x",
@@ -1608,7 +3154,8 @@ window.calculator = { ...{
    ],
    "unit": "N",
    "place": "",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
   },
   "tan.tau": {
    "gives": "tau",
@@ -1623,7 +3170,8 @@ window.calculator = { ...{
    ],
    "unit": "Pa",
    "place": "inside",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
   },
   "tan.u": {
    "gives": "u_0",
@@ -1638,7 +3186,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
   },
   "tan.c": {
    "gives": "c",
@@ -1652,7 +3201,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
   },
   "tan.us": {
    "gives": "u_0",
@@ -1666,7 +3216,542 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
+  },
+  "fgm.d": {
+   "gives": "d",
+   "needs": [
+    "a",
+    "theta",
+    "b",
+    "k"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "d",
+   "medium": 1
+  },
+  "fgm.F": {
+   "gives": "F",
+   "needs": [
+    "a",
+    "theta",
+    "b",
+    "H",
+    "k"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "F",
+   "medium": 1
+  },
+  "fgm.p": {
+   "gives": "p",
+   "needs": [
+    "r",
+    "a",
+    "theta",
+    "b",
+    "H",
+    "k"
+   ],
+   "unit": "Pa",
+   "place": "inside",
+   "suffix": "p",
+   "medium": 1
+  },
+  "fgm.w": {
+   "gives": "w",
+   "needs": [
+    "r",
+    "a",
+    "theta",
+    "b",
+    "k"
+   ],
+   "unit": "m",
+   "place": "outside",
+   "suffix": "w",
+   "medium": 1
+  },
+  "fgm.k": {
+   "gives": "stiffness",
+   "needs": [
+    "a",
+    "theta",
+    "b",
+    "H",
+    "k"
+   ],
+   "unit": "N/m",
+   "place": "",
+   "suffix": "k",
+   "medium": 1
+  },
+  "fgm.pm": {
+   "gives": "p_mean",
+   "needs": [
+    "a",
+    "theta",
+    "b",
+    "H",
+    "k"
+   ],
+   "unit": "Pa",
+   "place": "",
+   "suffix": "pm",
+   "medium": 1
+  },
+  "fgm.ad": {
+   "gives": "a",
+   "needs": [
+    "d",
+    "theta",
+    "b",
+    "k"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "ad",
+   "medium": 1
+  },
+  "fgm.aF": {
+   "gives": "a",
+   "needs": [
+    "F",
+    "theta",
+    "b",
+    "H",
+    "k"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "aF",
+   "medium": 1
+  },
+  "fgm.Fd": {
+   "gives": "F",
+   "needs": [
+    "d",
+    "theta",
+    "b",
+    "H",
+    "k"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "Fd",
+   "medium": 1
+  },
+  "fgm.dF": {
+   "gives": "d",
+   "needs": [
+    "F",
+    "theta",
+    "b",
+    "H",
+    "k"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "dF",
+   "medium": 1
+  },
+  "fgm.adh.Dl": {
+   "gives": "retraction",
+   "needs": [
+    "a",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.d": {
+   "gives": "d",
+   "needs": [
+    "a",
+    "theta",
+    "b",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.F": {
+   "gives": "F",
+   "needs": [
+    "a",
+    "theta",
+    "b",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.p": {
+   "gives": "p",
+   "needs": [
+    "r",
+    "a",
+    "theta",
+    "b",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "Pa",
+   "place": "inside",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.w": {
+   "gives": "w",
+   "needs": [
+    "r",
+    "a",
+    "theta",
+    "b",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "outside",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.ad": {
+   "gives": "a",
+   "needs": [
+    "d",
+    "theta",
+    "b",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.aF": {
+   "gives": "a",
+   "needs": [
+    "F",
+    "theta",
+    "b",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.ac": {
+   "gives": "a_c",
+   "needs": [
+    "theta",
+    "b",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.Fc": {
+   "gives": "F",
+   "needs": [
+    "theta",
+    "b",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.dc": {
+   "gives": "d",
+   "needs": [
+    "theta",
+    "b",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.am": {
+   "gives": "a_c",
+   "needs": [
+    "theta",
+    "b",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.Fm": {
+   "gives": "F",
+   "needs": [
+    "theta",
+    "b",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.dm": {
+   "gives": "d",
+   "needs": [
+    "theta",
+    "b",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.tan.F": {
+   "gives": "F_x",
+   "needs": [
+    "a",
+    "c",
+    "theta",
+    "b",
+    "H",
+    "k",
+    "mu"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.tan.tau": {
+   "gives": "tau",
+   "needs": [
+    "r",
+    "a",
+    "c",
+    "theta",
+    "b",
+    "H",
+    "k",
+    "mu"
+   ],
+   "unit": "Pa",
+   "place": "inside",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.tan.u": {
+   "gives": "u_0",
+   "needs": [
+    "a",
+    "c",
+    "theta",
+    "b",
+    "H",
+    "H_x",
+    "k",
+    "mu"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.tan.c": {
+   "gives": "c",
+   "needs": [
+    "F_x",
+    "a",
+    "theta",
+    "b",
+    "H",
+    "k",
+    "mu"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.tan.us": {
+   "gives": "u_0",
+   "needs": [
+    "a",
+    "theta",
+    "b",
+    "H",
+    "H_x",
+    "k",
+    "mu"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "vis.step_mx": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "d",
+    "theta",
+    "b",
+    "E_law",
+    "tau"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.load_mx": {
+   "gives": "a",
+   "needs": [
+    "t",
+    "F",
+    "theta",
+    "b",
+    "E_law",
+    "tau"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.step_kv": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "d",
+    "theta",
+    "b",
+    "E_law",
+    "eta"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.load_kv": {
+   "gives": "a",
+   "needs": [
+    "t",
+    "F",
+    "theta",
+    "b",
+    "E_law",
+    "eta"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.step_sls": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "d",
+    "theta",
+    "b",
+    "E_inf",
+    "E_1",
+    "tau"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.load_sls": {
+   "gives": "a",
+   "needs": [
+    "t",
+    "F",
+    "theta",
+    "b",
+    "E_inf",
+    "E_1",
+    "tau"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.step_pc": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "d",
+    "theta",
+    "b",
+    "E_law",
+    "alpha",
+    "t_0"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.load_pc": {
+   "gives": "a",
+   "needs": [
+    "t",
+    "F",
+    "theta",
+    "b",
+    "E_law",
+    "alpha",
+    "t_0"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
   }
  },
  "place": "r"

@@ -25,7 +25,10 @@ const math = {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
     return Array.from({ length: Math.max(Math.ceil((stop - start) / step), 0) }, (_, count) => start + step * count);
   },
-  zip: (x, y) => x.map((value, place) => [value, y[place]]),
+  zip: (x, y) => x.slice(0, y.length).map((value, place) => [value, y[place]]),
+  // named fields that are told by their places too
+  record: (fields) => Object.assign(Object.values(fields), fields),
+  replaced: (x, changes) => math.record({ ...Object.fromEntries(Object.entries(x).slice(x.length)), ...changes }),
   enumerate: (x, start = 0) => Array.from(x, (value, place) => [place + start, value]),
   repeated: (x, count) => math.range(count).flatMap(() => x),
   reversed: (x) => [...x].reverse(),
@@ -84,6 +87,63 @@ const math = {
     bits.setBigInt64(0, bits.getBigInt64(0) + (x > 0.0 === to > x ? 1n : -1n));
     return bits.getFloat64(0);
   },
+  halfway: (low, high) => {
+    const bits = new DataView(new ArrayBuffer(16));
+    bits.setFloat64(0, low);
+    bits.setFloat64(8, high);
+    const first = bits.getBigInt64(0);
+    bits.setBigInt64(0, first + (bits.getBigInt64(8) - first) / 2n);
+    return bits.getFloat64(0);
+  },
+  // radii around waves: decades, sixteen in each wave, decades
+  radii_of_waves: (length, reach) => {
+    const waves = Math.floor(math.clip(Number.isFinite(reach / length) ? reach / length : 4.0, 4.0, 4096.0));
+    const inner = [...math.range(15).map((place) => Math.pow(10.0, 10 * place - 150)), ...math.range(1, 16 * waves + 1).map((x) => x / 16.0)];
+    return [...inner, ...math.range(10).map((place) => (waves + 1.0) * Math.pow(10.0, 10 * place))].map((x) => x * length);
+  },
+  // what was found for the last arguments
+  kept: (of) => {
+    const known = new Map();
+    return (...given) => {
+      const key = given.join();
+      if (known.size > 99) known.clear();
+      if (!known.has(key)) known.set(key, of(...given));
+      return known.get(key);
+    };
+  },
+  // the branches on which a steepness is above a level, each end refined where the sign changes between two radii; what
+  // was sampled is that of a geometry, and keeps what was found in it
+  branches: (change, far) => (steepness, sampled, level) => {
+    const { radii, end } = sampled;
+    const steep = (sampled.steep ??= radii.map((a) => steepness(a)));
+    sampled.found ??= math.kept((level) => math.searched(change, far, steepness, radii, steep, end, level));
+    return sampled.found(level);
+  },
+  searched: (change, far, steepness, radii, steep, end, level) => {
+    const above = (a) => Math.log(steepness(a) / level);
+    const [first, last] = [[], []];
+    if (steep[0] >= level) first.push(radii[0]);
+    for (let place = 1; place < radii.length; place++) {
+      const [before, after] = [steep[place - 1], steep[place]];
+      const up = after >= level;
+      if (up !== before >= level && (up || radii[place - 1] < far)) {
+        const found = change(above, radii[place - 1], radii[place], Math.log(before / level), Math.log(after / level), up ? 1.0 : -1.0);
+        (up ? first : last).push(found);
+      }
+    }
+    const largest = math.nextafter(radii.at(-1), 0.0);
+    return { first: first.map((a) => Math.min(a, largest)), last: [...last, end].slice(0, first.length) };
+  },
+  lowest: ({ first }, load) => {
+    const loads = first.map(load);
+    const known = loads.filter((x) => x === x);
+    return known.length ? first[loads.indexOf(Math.min(...known))] : NaN;
+  },
+  springs: (pairs, under) => (left, low, high) => {
+    const first = left(low);
+    const terms = pairs.map(([node, weight]) => weight * left(low + (high - low) * node));
+    return (high - low) * (math.fsum(terms) + under * first);
+  },
   // nodes and weights on (0, 1) for an interval of a length, in panels beyond the last one
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
@@ -99,6 +159,19 @@ const math = {
   integral_by_panels: (integrand, stop, width, count) => {
     const panels = panelsOf(Math.max(stop / width, 1.0));
     return math.fsum(pairs(count, panels).map(([node, weight]) => weight * integrand(node * stop))) * stop;
+  },
+  both: (integrand, stop, width = 1.0, lengths = STRIPS) => {
+    if (stop !== stop) return [stop, stop];
+    const panels = panelsOf(Math.max(stop / width / lengths.at(-1)[0], 1.0));
+    const [first, second] = [[], []];
+    for (let start = 0; start < panels; start++) {
+      for (const [node, weight] of math.rule(lengths)(stop / width / panels)) {
+        const [x, y] = integrand(((start + node) / panels) * stop);
+        first.push((weight / panels) * x);
+        second.push((weight / panels) * y);
+      }
+    }
+    return [math.fsum(first) * stop, math.fsum(second) * stop];
   },
   integral_by_length: (...given) => math.integral_in_strip(...given),
   in_groups: (rule_of) => (slope, parameters, ...given) => {
@@ -1081,6 +1154,277 @@ const displacement_of_sphere = (r, a, R, E_star, dgamma) => {
   return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_of_sphere(r, a, R, E_star, dgamma) : 0.0) : NaN);
 };
 
+const exponent_of = (x) => {
+  return (math.frexp(x)[1] - 1);
+};
+
+const _rate = (a, R) => {
+  let v2, v7;
+  v2 = (R - a);
+  v7 = math.sqrt(((((v2 > 0.0) || (v2 !== v2)) ? v2 : 0.0) * (R + a)));
+  return (Math.asinh((a / v7)) + ((R * a) / (v7 * v7)));
+};
+
+const radii_below = (length = 1.0) => [1e-150, 1e-140, 1e-130, 1e-120, 1e-110, 1e-100, 1e-90, 1e-80, 1e-70, 1e-60, 1e-50, 1e-40, 1e-30, 1e-20, 1e-10, 0.5, 0.9375, 0.9921875, 0.9990234375, 0.9998779296875, 0.9999847412109375, 0.9999980926513672, 0.9999997615814209, 0.9999999701976776, 0.9999999962747097, 0.9999999995343387, 0.9999999999417923, 0.999999999992724, 0.9999999999990905, 0.9999999999998863, 0.9999999999999858, 0.9999999999999982, 0.9999999999999998, 1.0].map((x) => x * length);
+
+const _samples = (R) => {
+  let a;
+  a = radii_below(R);
+  return ({ radii: a, end: a.at(-1) });
+};
+
+const XI = {'force': 3.0, 'depth': 1.0};
+
+const least_steepness = (control, E_star, dgamma) => {
+  return (XI[control] * Math.sqrt(((Math.PI * dgamma) / (2.0 * E_star))));
+};
+
+const STEPS = 20;
+
+const CLOSEST = Math.pow(2.0, (-51));
+
+const _change = (above, low, high, before, after, sign) => {
+  let middle, share, stays, step, tried, value;
+  [before, after, stays] = [(sign * before), (sign * after), 0.0];
+  for (step of math.range((STEPS + 64))) {
+    if ((math.nextafter(low, high) >= high)) {
+      break;
+    }
+    share = (((step < STEPS) && (before !== after)) ? (before / (before - after)) : NaN);
+    tried = (low * Math.exp((((0.0 <= share && share <= 1.0) ? share : 0.5) * Math.log((high / low)))));
+    tried = Math.min(Math.max(tried, (low * (1.0 + (CLOSEST * Math.pow(2.0, step))))), (high * (1.0 - (CLOSEST * Math.pow(2.0, step)))));
+    middle = (((step < STEPS) && (low < tried && tried < high)) ? tried : math.halfway(low, high));
+    value = (sign * above(middle));
+    if ((value >= 0.0)) {
+      [before, after] = [((stays > 0.0) ? (0.5 * before) : before), value];
+      [high, stays] = [middle, 1.0];
+    } else {
+      [before, after] = [value, ((stays < 0.0) ? (0.5 * after) : after)];
+      [low, stays] = [middle, (-1.0)];
+    }
+  }
+  return high;
+};
+
+const FAR = 1e+50;
+
+const branches = math.branches(_change, FAR);
+
+const _branches = (R, E_star, dgamma, control) => {
+  return branches(((a) => (Math.sqrt(a) * _rate(a, R))), _samples(R), least_steepness(control, E_star, dgamma));
+};
+
+const XI_of_stable = {'force': 3.0, 'depth': 1.0};
+
+const growth = (slope, a, control, E_star, dgamma) => {
+  let own;
+  own = (slope - ((XI_of_stable[control] * hess_retraction(a, E_star, dgamma)) / (2.0 * a)));
+  return ((control === 'force') ? (((2.0 * E_star) * a) * own) : own);
+};
+
+const CLOSEST_of_unknowns = 18.3;
+
+const Unknown = (of, back, end = Infinity, order = 2.0, unit = 0.0) => math.record({ of, back, end, order, unit });
+
+const up_to = (R, k = 0.0) => {
+  let back, like, of;
+  k = ((Math.abs(k) < 1e-30) ? 1e-30 : k);
+  like = (v) => {
+    return ((-Math.expm1(((-k) * v))) / k);
+  };
+  of = (a) => {
+    return like(math.minimum(Math.atanh(math.minimum((a / R), 1.0)), CLOSEST_of_unknowns));
+  };
+  back = (x) => {
+    let v;
+    v = ((-Math.log1p(((-k) * x))) / k);
+    return [(R * Math.tanh(v)), ((R * Math.exp((k * v))) / Math.pow(Math.cosh(v), 2))];
+  };
+  return Unknown(of, back, like(CLOSEST_of_unknowns), 3.0, 0.5);
+};
+
+const at_the_end = (load, a) => {
+  return load(a);
+};
+
+const NOISE = 4.440892098500626e-16;
+
+const _branch_of = (value, found, load, pulled) => {
+  let first, fits, high, largest, last, least, low, start, top;
+  low = high = least = largest = math.full(value, NaN);
+  for ([first, last] of math.zip(found.first, found.last)) {
+    start = load(first);
+    top = (Number.isFinite(last) ? at_the_end(load, last) : Infinity);
+    top = (Number.isNaN(top) ? Infinity : top);
+    fits = ((value >= (start - ((2.0 * NOISE) * (Math.abs(start) + pulled(first))))) & (value <= top));
+    [low, high] = [(fits ? first : low), (fits ? last : high)];
+    [least, largest] = [(fits ? start : least), (fits ? top : largest)];
+  }
+  return [low, high, least, largest];
+};
+
+const _divided = (value, low, high, least, top, load, corner) => {
+  let above, below, bend, inside;
+  bend = load((corner + math.zeros_like(low)));
+  inside = ((low < corner) & math.logical_not((high <= corner)));
+  above = (inside & (value > bend));
+  below = (inside & math.logical_not(above));
+  [high, top] = [(below ? corner : high), (below ? bend : top)];
+  [low, least] = [(above ? corner : low), (above ? bend : least)];
+  return [low, high, least, top, (low >= corner)];
+};
+
+const _counted = (low, high, beyond, inner, outer) => {
+  let first, last, of, place, reach;
+  of = (a) => {
+    return ((outer == null) ? inner.of(a) : (beyond ? outer.of((beyond ? a : low)) : inner.of(a)));
+  };
+  first = of(low);
+  last = ((high === Infinity) ? Infinity : of(((high === Infinity) ? low : high)));
+  reach = (last - first);
+  place = (t) => {
+    let a, open_, own, own_rate, rate, share, step, x;
+    open_ = math.logical_not(Number.isFinite(reach));
+    share = (open_ ? 0.0 : (t / reach));
+    x = (first + ((share < Infinity) ? (t / (1.0 + share)) : reach));
+    step = (1.0 / Math.pow((1.0 + share), 2));
+    [a, rate] = inner.back(x);
+    if ((outer != null)) {
+      [own, own_rate] = outer.back((beyond ? x : 1.0));
+      [a, rate] = [(beyond ? own : a), (beyond ? own_rate : rate)];
+    }
+    return [a, (rate * step)];
+  };
+  return [first, reach, ((Number.isFinite(reach) | beyond) ? Infinity : (inner.end - first)), place];
+};
+
+const EPS = 2.220446049250313e-16;
+
+const LOST = 0.3;
+
+const SLACK = 1e-06;
+
+const stable_radius = (value, found, load, slope_of, pulled, inner, outer = null, corner = null) => {
+  let a, beyond, ends, excess, far, first, fixed, high, largest, least, least_short, least_unit, low, noise, order, parts, place, ratio, reach, scale, share, short, slope, start, t, top, unit, wanted;
+  [low, high, least, top] = _branch_of(value, found, load, pulled);
+  if ((!Boolean(Number.isFinite(least)))) {
+    return least;
+  }
+  beyond = math.full(low, ((corner == null) && (outer != null)));
+  if ((corner != null)) {
+    [low, high, least, top, beyond] = _divided(value, low, high, least, top, load, corner);
+  }
+  ends = Number.isFinite(top);
+  if (((outer == null) && Boolean(ends))) {
+    ends = (ends & (slope_of(high) < Infinity));
+  }
+  [first, reach, largest, place] = _counted(low, (ends ? high : Infinity), beyond, inner, outer);
+  fixed = (Math.abs(least) + pulled(low));
+  parts = (fixed + Math.abs(value));
+  least_short = ((4.0 * NOISE) * parts);
+  excess = (t) => {
+    let a, known, lost, more, own, short, slope, step;
+    [a, step] = place(t);
+    own = load(a);
+    [more, short] = [(own - least), (ends ? math.maximum((top - own), least_short) : 1.0)];
+    known = (EPS * (fixed + Math.abs(own)));
+    lost = (more <= known);
+    more = (lost ? known : more);
+    slope = (((t * step) * slope_of(a)) * ((1.0 / more) + (ends ? (1.0 / short) : 0.0)));
+    more = (more / short);
+    slope = ((math.logical_not(ends) & (more < (0.5 * wanted))) ? math.maximum(slope, 0.7) : slope);
+    return [more, (lost ? LOST : slope)];
+  };
+  share = (t) => {
+    let a, step;
+    [a, step] = place(t);
+    return ((t * step) / a);
+  };
+  short = (ends ? math.maximum((top - value), least_short) : 1.0);
+  wanted = ((value < Infinity) ? (math.maximum((value - least), 0.0) / short) : 0.0);
+  far = (ends & (wanted > 1.0));
+  [order, least_unit] = [...['order', 'unit']].map((name) => ((outer == null) ? inner[name] : (beyond ? outer[name] : inner[name])));
+  unit = (far ? reach : math.minimum(math.maximum(first, least_unit), largest));
+  [scale, slope] = excess(unit);
+  ratio = (wanted / scale);
+  start = (unit * Math.pow(ratio, (1.0 / (((ratio > 1.0) & math.logical_not(far)) ? 4.0 : order))));
+  start = ((ends & (slope === LOST)) ? reach : start);
+  noise = ((NOISE * parts) * (ends ? ((1.0 + wanted) / short) : 1.0));
+  t = inverse(excess, wanted, start, [SLACK, Infinity], largest, share, true, noise);
+  a = place(t)[0];
+  return (((value === Infinity) & (high === Infinity)) ? Infinity : (Number.isFinite(least) ? a : NaN));
+};
+
+const _radius_from_depth_of_sphere = (d, R, E_star, dgamma) => {
+  let found, radius, stress, unit;
+  unit = exponent_of(R);
+  stress = exponent_of(E_star);
+  E_star = math.ldexp(E_star, (-stress));
+  R = math.ldexp(R, (-unit));
+  dgamma = math.ldexp(dgamma, (-(stress + unit)));
+  d = math.ldexp(d, (-unit));
+  found = _branches(R, E_star, dgamma, 'depth');
+  radius = stable_radius(d, found, ((a) => _depth_2(a, R, E_star, dgamma)), ((a) => growth(_rate(a, R), a, 'depth', E_star, dgamma)), ((a) => hess_retraction(a, E_star, dgamma)), up_to(R));
+  return math.ldexp(radius, unit);
+};
+
+const radius_from_depth_of_sphere = (d, R, E_star, dgamma) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return _radius_from_depth_of_sphere(d, R, E_star, dgamma);
+};
+
+const pull = (a, E_star, dgamma) => {
+  return (((2.0 * E_star) * a) * (math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star))));
+};
+
+const _radius_from_force_of_sphere = (F, R, E_star, dgamma) => {
+  let found, radius, stress, unit;
+  unit = exponent_of(R);
+  stress = exponent_of(E_star);
+  E_star = math.ldexp(E_star, (-stress));
+  R = math.ldexp(R, (-unit));
+  dgamma = math.ldexp(dgamma, (-(stress + unit)));
+  F = math.ldexp(F, (-(stress + (2 * unit))));
+  found = _branches(R, E_star, dgamma, 'force');
+  radius = stable_radius(F, found, ((a) => _force_2(a, R, E_star, dgamma)), ((a) => growth(_rate(a, R), a, 'force', E_star, dgamma)), ((a) => pull(a, E_star, dgamma)), up_to(R));
+  return math.ldexp(radius, unit);
+};
+
+const radius_from_force_of_sphere = (F, R, E_star, dgamma) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return _radius_from_force_of_sphere(F, R, E_star, dgamma);
+};
+
+const _pull_off_radius = (R, E_star, dgamma, control) => {
+  let found, load, radius, stress, unit;
+  unit = exponent_of(R);
+  stress = exponent_of(E_star);
+  E_star = math.ldexp(E_star, (-stress));
+  R = math.ldexp(R, (-unit));
+  dgamma = math.ldexp(dgamma, (-(stress + unit)));
+  found = _branches(R, E_star, dgamma, control);
+  load = ((control === 'force') ? _force_2 : _depth_2);
+  radius = math.lowest(found, ((a) => load(a, R, E_star, dgamma)));
+  return math.ldexp(radius, unit);
+};
+
+const PullOff = (radius, force, depth) => math.record({ radius, force, depth });
+
+const pull_off = (control = 'force', R, E_star, dgamma) => {
+  let depth, force, radius;
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  radius = _pull_off_radius(R, E_star, dgamma, control);
+  force = ((radius >= 0.0) ? _force_2(radius, R, E_star, dgamma) : NaN);
+  depth = ((radius >= 0.0) ? _depth_2(radius, R, E_star, dgamma) : NaN);
+  return PullOff(radius, force, depth);
+};
+
 const RULE_0_3 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
 const CLOSE = 0.25;
@@ -1326,6 +1670,908 @@ const full_slip_displacement = (a, R, E_star, G_star, mu) => {
   return ((a >= 0.0) ? _full_slip_displacement(a, R, E_star, G_star, mu) : NaN);
 };
 
+const _steepness = (a, root, v, k) => {
+  if ((k > 0.0)) {
+    return (v / Math.sinh(v));
+  }
+  return ((root / a) * v);
+};
+
+const sinh_over = (v) => {
+  let v2;
+  v2 = (v > 0.0);
+  if (v2) {
+    return (Math.sinh(v) / (v2 ? v : 1.0));
+  }
+  return 1.0;
+};
+
+const STRIPS_of_rules = [[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]];
+
+const NODES = 64;
+
+const nodes_for = (length) => {
+  let count, longest, reached;
+  longest = Number(math.maximum(length));
+  for ([reached, count] of STRIPS_of_rules.slice(0, 2)) {
+    if ((longest <= reached)) {
+      return (2 * count);
+    }
+  }
+  return NODES;
+};
+
+const weighted = (smooth, stop, power, count = NODES, above = null) => {
+  let end, pairs;
+  if ((power >= (-0.25))) {
+    return math.fsum([...math.products(power, count, false)].map(([node, weight]) => (weight * smooth((node * stop)))));
+  }
+  above = ((above == null) ? (1.0 + power) : above);
+  end = smooth(0.0);
+  pairs = math.products(above, count, true);
+  return ((end / above) + math.fsum([...pairs].map(([node, weight]) => (weight * (smooth((node * stop)) - end)))));
+};
+
+const _last = (k) => {
+  if ((k > 0.0)) {
+    return (1.0 / k);
+  }
+  return Infinity;
+};
+
+const sphere_depth = (a, root, k) => {
+  let open_, v, value;
+  open_ = ((root > 0.0) ? root : a);
+  v = Math.asinh((a / open_));
+  value = (((a * Math.pow(_steepness(a, open_, v, k), k)) * v) * weighted(((x) => Math.pow(sinh_over(x), k)), v, k, nodes_for(v)));
+  return ((a === 0.0) ? 0.0 : ((root > 0.0) ? value : (a * _last(k))));
+};
+
+const _depth_at_2 = (a, root, R, k) => {
+  return sphere_depth(a, root, k);
+};
+
+const _depth_3 = (a, R, k) => {
+  return ((a <= R) ? _depth_at_2(a, difference_root(R, a), R, k) : NaN);
+};
+
+const depth_2 = (a, R, k) => {
+  if ((!((0.0 < R && R < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _depth_3(a, R, k) : NaN);
+};
+
+const raised = (x, k) => {
+  if ((x > 0.0)) {
+    return (x * Math.pow(x, k));
+  }
+  return 0.0;
+};
+
+const sphere_force = (a, root, k) => {
+  let integrand, open_, v, value, whole;
+  open_ = ((root > 0.0) ? root : a);
+  v = Math.asinh((a / open_));
+  whole = Math.sinh(v);
+  integrand = (x) => {
+    let over;
+    over = sinh_over(x);
+    return (Math.pow(over, k) * (1.0 - Math.pow((over * (x / whole)), 2)));
+  };
+  value = ((((a * raised(a, k)) * Math.pow(_steepness(a, open_, v, k), k)) * v) * weighted(integrand, v, k, nodes_for(v)));
+  return ((a === 0.0) ? 0.0 : ((root > 0.0) ? value : ((((a * raised(a, k)) * 2.0) / (2.0 + k)) * _last(k))));
+};
+
+const _force_at_of_sphere = (a, root, R, H, k) => {
+  let growth;
+  growth = sphere_force(a, root, k);
+  return (((2.0 * H) / (1.0 + k)) * growth);
+};
+
+const _force_3 = (a, R, H, k) => {
+  return ((a <= R) ? _force_at_of_sphere(a, difference_root(R, a), R, H, k) : NaN);
+};
+
+const force_2 = (a, R, H, k) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _force_3(a, R, H, k) : NaN);
+};
+
+const _LONGEST = 8.0;
+
+const sphere_rate = (t, root, k) => {
+  let far, first, integrand, open_, rest, total, v;
+  open_ = ((root > 0.0) ? root : t);
+  [v, far] = [Math.asinh((t / open_)), (Math.hypot(t, root) / open_)];
+  integrand = (x) => {
+    return (Math.pow(sinh_over(x), k) * (1.0 + Math.pow((far / Math.cosh(x)), 2)));
+  };
+  first = math.minimum(v, _LONGEST);
+  total = ((Math.pow(((open_ / t) * first), k) * first) * weighted(integrand, first, k, nodes_for(first)));
+  if (Boolean((v > first))) {
+    rest = math.integral_in_strip(((x) => (integrand((first + x)) * Math.pow((first + x), k))), (v - first));
+    total = (total + (Math.pow((open_ / t), k) * rest));
+  }
+  return ((root > 0.0) ? total : Infinity);
+};
+
+const _AXIS = Math.pow(2.0, (-60));
+
+const _off_axis = (r, a) => {
+  return math.maximum(r, (_AXIS * a));
+};
+
+const _LONGEST_of_pressure = 8.0;
+
+const tanh_growth = (slope, r, R, reach, end, k) => {
+  let first, scale, smooth, stop, total;
+  r = _off_axis(r, reach);
+  scale = difference_root(R, r);
+  smooth = (v) => {
+    let root, t;
+    root = (scale / Math.cosh(v));
+    t = Math.hypot(r, (scale * Math.tanh(v)));
+    return (((slope(t, root) / t) * Math.pow((sinh_over(v) / Math.cosh(v)), k)) / Math.pow(Math.cosh(v), 2));
+  };
+  stop = Math.asinh((reach / end));
+  first = math.minimum(stop, _LONGEST_of_pressure);
+  total = (raised(first, k) * weighted(smooth, first, k, nodes_for(first)));
+  if (Boolean((stop > first))) {
+    total = (total + math.integral_in_strip(((v) => (smooth((first + v)) * Math.pow((first + v), k))), (stop - first)));
+  }
+  return math.where((end > 0.0), (raised(scale, k) * total), Infinity);
+};
+
+const _sphere = (r, R, reach, end, k) => {
+  return tanh_growth(((t, root) => sphere_rate(t, root, k)), r, R, reach, end, k);
+};
+
+const sphere_pressure = (r, a, R, k) => {
+  return _sphere(r, R, difference_root(a, r), difference_root(R, a), k);
+};
+
+const _pressure_5 = (r, a, R, H, k) => {
+  let growth, inside;
+  inside = math.minimum(r, a);
+  growth = sphere_pressure(inside, a, R, k);
+  return math.where((a <= R), math.where((r < a), ((H / Math.PI) * growth), 0.0), NaN);
+};
+
+const pressure_2 = (r, a, R, H, k) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure_5(r, a, R, H, k) : 0.0) : NaN);
+};
+
+const punch_scale = (k) => {
+  return (0.6366197723675814 * Math.sin((1.5707963267948966 * (1.0 - Math.abs(k)))));
+};
+
+const EDGE = [[3.0, 32], [11.0, 64]];
+
+const NODES_of_displacement = 64;
+
+const from_edge = (shape, a, q, c, stop, k, steep = false) => {
+  let count, first, half, length, longest, ratio, second, smooth;
+  ratio = (c / q);
+  smooth = (v, sinh) => {
+    let z;
+    z = (c * sinh);
+    return ((shape(difference_root(a, z), z) * Math.cosh(v)) / (1.0 + Math.pow((ratio * sinh), 2)));
+  };
+  first = (v) => {
+    let sinh;
+    sinh = Math.sinh(v);
+    return (smooth(v, sinh) * Math.pow(((v > 0.0) ? (sinh / ((v > 0.0) ? v : 1.0)) : 1.0), k));
+  };
+  second = (v) => {
+    let sinh;
+    sinh = Math.sinh((half + v));
+    return (smooth((half + v), sinh) * Math.pow(sinh, k));
+  };
+  longest = (steep ? Infinity : Number(math.maximum((Number.isFinite(stop) ? stop : 0.0))));
+  for ([length, count] of EDGE) {
+    if ((longest <= length)) {
+      return ((raised(ratio, k) * raised(stop, k)) * weighted(first, stop, k, count));
+    }
+  }
+  half = (stop / 2.0);
+  return (raised(ratio, k) * ((raised(half, k) * weighted(first, half, k)) + math.integral(second, half, NODES_of_displacement)));
+};
+
+const punch_share = (r, a, k) => {
+  let q, stop;
+  q = difference_root(r, a);
+  stop = Math.asinh((a / q));
+  return (punch_scale(k) * from_edge(((s, z) => math.ones_like(z)), a, q, q, stop, k));
+};
+
+const _Gap = (outside, q, even, grown) => math.record({ outside, q, even, grown });
+
+const _gap_of_displacement = (r, a, k) => {
+  let even, outside, q, share;
+  outside = (r > a);
+  q = (outside ? difference_root(math.maximum(r, a), a) : a);
+  share = ((1.0 - k) * (outside ? punch_share(r, a, k) : 1.0));
+  even = ((share > 0.0) ? (share * raised((q / a), k)) : 0.0);
+  return _Gap(outside, q, even, ((outside ? punch_scale(k) : 0.0) + (share * raised((a / q), (-k)))));
+};
+
+const _weighed = (gap, shape, a) => {
+  return ((s, z) => (shape(s, z) * ((gap.grown * Math.pow((z / a), 2)) + gap.even)));
+};
+
+const SPLIT = 0.5235987755982988;
+
+const over_angle = (shape, a, q, stop, k) => {
+  let low, smooth;
+  low = ((a * Math.cos(stop)) + math.zeros_like(q));
+  smooth = (x) => {
+    let s, z;
+    s = (low + x);
+    z = difference_root(a, s);
+    return ((((shape(s, z) * (s / z)) * Math.pow((z / q), k)) / (1.0 + Math.pow((z / q), 2))) / q);
+  };
+  return math.integral(smooth, ((a * Math.cos(SPLIT)) - low), 32);
+};
+
+const _fall = (shape, r, a) => {
+  let root;
+  root = difference_root(a, r);
+  return (shape(r, root) * Math.pow((root / a), 2));
+};
+
+const _joined_of_displacement = (gap, a, value, fall) => {
+  return ((a > 0.0) ? (gap.outside ? value : (value + fall)) : 0.0);
+};
+
+const _smooth = (shape, r, a, k, c = Infinity) => {
+  let close, gap, near, own;
+  gap = _gap_of_displacement(r, a, k);
+  [own, close] = [_weighed(gap, shape, a), math.minimum(gap.q, c)];
+  near = from_edge(own, a, gap.q, close, Math.asinh(((a / close) / 2.0)), k);
+  return _joined_of_displacement(gap, a, (near + over_angle(own, a, gap.q, math.full(gap.q, (Math.PI / 2.0)), k)), _fall(shape, r, a));
+};
+
+const sphere_displacement = (r, a, R, k) => {
+  let end;
+  end = difference_root(R, a);
+  return _smooth(((s, z) => (a * (a / (end + Math.hypot(end, z))))), r, a, k, end);
+};
+
+const _displacement_4 = (r, a, R, k) => {
+  return sphere_displacement(r, a, R, k);
+};
+
+const displacement_2 = (r, a, R, k) => {
+  if ((!((0.0 < R && R < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_4(r, a, R, k) : 0.0) : NaN);
+};
+
+const punch_stiffness = (a, H, k) => {
+  return (((2.0 * H) / (1.0 + k)) * ((a > 0.0) ? (a * Math.pow(a, k)) : 0.0));
+};
+
+const _stiffness_3 = (a, H, k) => {
+  return punch_stiffness(a, H, k);
+};
+
+const _stiffness_2 = (a, H, k, R = 1.0) => {
+  if (((a > 1e-30) && (a < 1e+30) && (H > 1e-30) && (H < 1e+30) && (k > 1e-30) && (k < 1.0) && (R > 1e-30) && (R < 1e+30))) {
+    return (((2.0 * H) / (1.0 + k)) * ((a > 0.0) ? (a * Math.pow(a, k)) : 0.0));
+  }
+  return _stiffness_3(a, H, k);
+};
+
+const stiffness_of_sphere = (a, R, H, k) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _stiffness_2(a, H, k) : NaN);
+};
+
+const _mean_pressure_2 = (a, R, H, k) => {
+  return ((a > 0.0) ? (_force_3(a, R, H, k) / ((Math.PI * a) * a)) : 0.0);
+};
+
+const mean_pressure_of_sphere = (a, R, H, k) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _mean_pressure_2(a, R, H, k) : NaN);
+};
+
+const _rate_at = (a, root, R, k) => {
+  return sphere_rate(a, root, k);
+};
+
+const STEEPEST = 100000000.0;
+
+const SLACK_of_inverse = 1e-06;
+
+const contact_below = (load, rate, value, R, needs, exponent, k) => {
+  let a, contact, curve, half, largest, last, like, place, root, steepest, wanted, x;
+  value = (value + math.zeros(1));
+  k = ((Math.abs(k) < 1e-30) ? 1e-30 : k);
+  like = (t) => {
+    let log, power, x;
+    power = Math.pow(t, exponent);
+    log = Math.log1p(power);
+    x = ((-Math.expm1((((-k) / exponent) * log))) / k);
+    return [x, (((power / (1.0 + power)) * Math.exp((((-k) / exponent) * log))) / x)];
+  };
+  place = (x) => {
+    let power;
+    power = Math.expm1((((-exponent) / k) * Math.log1p(((-k) * x))));
+    return Math.pow(power, (1.0 / exponent));
+  };
+  contact = (t) => {
+    let root;
+    root = (R / Math.hypot(1.0, t));
+    return [(root * t), root];
+  };
+  curve = (x) => {
+    let a, own, root, t;
+    t = place(x);
+    [a, root] = contact(t);
+    own = load(a, root, ...needs);
+    return [own, ((((a * Math.pow((root / R), 2)) * rate(a, root, ...needs)) / own) / like(t)[1])];
+  };
+  steepest = (STEEPEST * math.ones_like(value));
+  half = (0.5 * math.ones_like(value));
+  largest = like(steepest)[0];
+  last = load(...contact(steepest), ...needs);
+  wanted = math.minimum(value, last);
+  x = inverse(curve, wanted, (half * (wanted / curve(half)[0])), [SLACK_of_inverse, Infinity], largest, undefined, true);
+  [a, root] = contact(place(x));
+  if (Boolean((value > last))) {
+    a = ((value <= (load(R, math.zeros_like(R), ...needs) * (1.0 + Math.pow(2.0, (-48))))) ? a : NaN);
+  }
+  return [a, root];
+};
+
+const _contact_from_depth_of_sphere = (d, R, k) => {
+  return contact_below(_depth_at_2, _rate_at, d, R, [R, k], 2.0, k);
+};
+
+const _radius_from_depth_2 = (d, R, k) => {
+  return _contact_from_depth_of_sphere(d, R, k)[0];
+};
+
+const radius_from_depth_2 = (d, R, k) => {
+  if ((!((0.0 < R && R < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return ((d >= 0.0) ? _radius_from_depth_2(d, R, k) : NaN);
+};
+
+const _force_rate_at = (a, root, R, H, k) => {
+  return (punch_stiffness(a, H, k) * _rate_at(a, root, R, k));
+};
+
+const _contact_from_force_of_sphere = (F, R, H, k) => {
+  return contact_below(_force_at_of_sphere, _force_rate_at, F, R, [R, H, k], (3.0 + k), k);
+};
+
+const _radius_from_force_2 = (F, R, H, k) => {
+  return _contact_from_force_of_sphere(F, R, H, k)[0];
+};
+
+const radius_from_force_2 = (F, R, H, k) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return ((F >= 0.0) ? _radius_from_force_2(F, R, H, k) : NaN);
+};
+
+const punch_force = (d, a, H, k) => {
+  let v14;
+  v14 = (((2.0 * H) / (1.0 + k)) * ((a > 0.0) ? (a * Math.pow(a, k)) : 0.0));
+  if (((v14 > 0.0) && (v14 < Infinity))) {
+    return (v14 * d);
+  }
+  return 0.0;
+};
+
+const _force_from_depth_of_sphere = (d, R, H, k) => {
+  let a, root;
+  [a, root] = _contact_from_depth_of_sphere(d, R, k);
+  return (_force_at_of_sphere(a, root, R, H, k) + punch_force((d - _depth_at_2(a, root, R, k)), a, H, k));
+};
+
+const force_from_depth_of_sphere = (d, R, H, k) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return ((d >= 0.0) ? _force_from_depth_of_sphere(d, R, H, k) : NaN);
+};
+
+const punch_depth = (F, a, H, k) => {
+  let v14;
+  v14 = (((2.0 * H) / (1.0 + k)) * ((a > 0.0) ? (a * Math.pow(a, k)) : 0.0));
+  if (((v14 > 0.0) && (v14 < Infinity))) {
+    return (F / v14);
+  }
+  return 0.0;
+};
+
+const _depth_from_force_of_sphere = (F, R, H, k) => {
+  let a, root;
+  [a, root] = _contact_from_force_of_sphere(F, R, H, k);
+  return (_depth_at_2(a, root, R, k) + punch_depth((F - _force_at_of_sphere(a, root, R, H, k)), a, H, k));
+};
+
+const depth_from_force_of_sphere = (F, R, H, k) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return ((F >= 0.0) ? _depth_from_force_of_sphere(F, R, H, k) : NaN);
+};
+
+const graded_retraction = (a, H, k, dgamma) => {
+  if ((a > 0.0)) {
+    return ((math.sqrt(((6.283185307179586 * dgamma) / H)) * math.sqrt(a)) * math.sqrt(Math.pow(a, (-k))));
+  }
+  return 0.0;
+};
+
+const retraction_of_sphere = (a, H, k, dgamma) => {
+  if ((!((0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? graded_retraction(a, H, k, dgamma) : NaN);
+};
+
+const _depth_4 = (a, R, H, k, dgamma) => {
+  return (_depth_3(a, R, k) - graded_retraction(a, H, k, dgamma));
+};
+
+const depth_3 = (a, R, H, k, dgamma) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _depth_4(a, R, H, k, dgamma) : NaN);
+};
+
+const _force_4 = (a, R, H, k, dgamma) => {
+  return (_force_3(a, R, H, k) - (punch_stiffness(a, H, k) * graded_retraction(a, H, k, dgamma)));
+};
+
+const force_3 = (a, R, H, k, dgamma) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _force_4(a, R, H, k, dgamma) : NaN);
+};
+
+const tension_of_punch = (r, a, H, k, dgamma) => {
+  let v17, v19, v23, v33;
+  v17 = ((a > 0.0) ? ((math.sqrt(((6.283185307179586 * dgamma) / H)) * math.sqrt(a)) * math.sqrt(Math.pow(a, (-k)))) : 0.0);
+  if ((v17 > 0.0)) {
+    if ((r < a)) {
+      v19 = (a - r);
+      v23 = math.sqrt(((((v19 > 0.0) || (v19 !== v19)) ? v19 : 0.0) * (a + r)));
+      v33 = (((H / 3.141592653589793) * Math.pow(v23, k)) / v23);
+    } else {
+      v33 = ((r > a) ? 0.0 : Infinity);
+    }
+    return (v17 * v33);
+  }
+  return 0.0;
+};
+
+const _pressure_6 = (r, a, R, H, k, dgamma) => {
+  return (_pressure_5(r, a, R, H, k) - tension_of_punch(r, a, H, k, dgamma));
+};
+
+const pressure_3 = (r, a, R, H, k, dgamma) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure_6(r, a, R, H, k, dgamma) : 0.0) : NaN);
+};
+
+const punch_displacement = (r, a, k) => {
+  return ((r > a) ? punch_share(r, a, k) : 1.0);
+};
+
+const _displacement_5 = (r, a, R, H, k, dgamma) => {
+  return (_displacement_4(r, a, R, k) - (graded_retraction(a, H, k, dgamma) * punch_displacement(r, a, k)));
+};
+
+const displacement_3 = (r, a, R, H, k, dgamma) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_5(r, a, R, H, k, dgamma) : 0.0) : NaN);
+};
+
+const halves = (x) => {
+  let v2, v4;
+  v2 = (134217729.0 * x);
+  v4 = (v2 - (v2 - x));
+  return [v4, (x - v4)];
+};
+
+const stress_at = (unit, H, k) => {
+  let exponent, high, low, mantissa, whole;
+  [mantissa, exponent] = math.frexp(H);
+  [high, low] = halves(k);
+  whole = Math.floor(((unit * high) + 0.5));
+  return [(exponent + exponent_of(math.exp2(whole))), (mantissa * math.exp2((((unit * high) - whole) + (unit * low))))];
+};
+
+const _rate_of_sphere = (a, R, k) => {
+  return ((a <= R) ? _rate_at(a, difference_root(R, a), R, k) : NaN);
+};
+
+const _samples_of_sphere = (R, k) => {
+  let a;
+  a = radii_below(R);
+  return ({ radii: a, end: a.at(-1) });
+};
+
+const STATIONARY = {'force': [3.0, 1.0], 'depth': [1.0, (-1.0)]};
+
+const stationary = (control, k) => {
+  let constant, slope;
+  [constant, slope] = STATIONARY[control];
+  return (constant + (slope * k));
+};
+
+const least_steepness_of_punch = (control, H, k, dgamma) => {
+  return (stationary(control, k) * Math.sqrt(((Math.PI * dgamma) / (2.0 * H))));
+};
+
+const _branches_of_sphere = (R, H, k, dgamma, control) => {
+  return branches(((a) => (Math.pow(a, ((1.0 + k) / 2.0)) * _rate_of_sphere(a, R, k))), _samples_of_sphere(R, k), least_steepness_of_punch(control, H, k, dgamma));
+};
+
+const growth_of = (rate, geometry, H, k, dgamma, control) => {
+  let growth;
+  growth = (a) => {
+    let slope;
+    slope = (rate(a, ...geometry) - ((stationary(control, k) * graded_retraction(a, H, k, dgamma)) / (2.0 * a)));
+    return ((control === 'force') ? (slope * punch_stiffness(a, H, k)) : slope);
+  };
+  return growth;
+};
+
+const pull_of = (H, k, dgamma, control) => {
+  let pulled;
+  pulled = (a) => {
+    let moved;
+    moved = graded_retraction(a, H, k, dgamma);
+    return ((control === 'force') ? (moved * punch_stiffness(a, H, k)) : moved);
+  };
+  return pulled;
+};
+
+const _radius_from_depth_3 = (d, R, H, k, dgamma) => {
+  let found, pulled, radius, slope, stress, unit;
+  unit = exponent_of(R);
+  [stress, H] = stress_at(unit, H, k);
+  R = math.ldexp(R, (-unit));
+  dgamma = math.ldexp(dgamma, (-(stress + unit)));
+  d = math.ldexp(d, (-unit));
+  found = _branches_of_sphere(R, H, k, dgamma, 'depth');
+  slope = growth_of(_rate_of_sphere, [R, k], H, k, dgamma, 'depth');
+  pulled = pull_of(H, k, dgamma, 'depth');
+  radius = stable_radius(d, found, ((a) => _depth_4(a, R, H, k, dgamma)), slope, pulled, up_to(R, k));
+  return math.ldexp(radius, unit);
+};
+
+const radius_from_depth_3 = (d, R, H, k, dgamma) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return _radius_from_depth_3(d, R, H, k, dgamma);
+};
+
+const _radius_from_force_3 = (F, R, H, k, dgamma) => {
+  let found, pulled, radius, slope, stress, unit;
+  unit = exponent_of(R);
+  [stress, H] = stress_at(unit, H, k);
+  R = math.ldexp(R, (-unit));
+  dgamma = math.ldexp(dgamma, (-(stress + unit)));
+  F = math.ldexp(F, (-(stress + (2 * unit))));
+  found = _branches_of_sphere(R, H, k, dgamma, 'force');
+  slope = growth_of(_rate_of_sphere, [R, k], H, k, dgamma, 'force');
+  pulled = pull_of(H, k, dgamma, 'force');
+  radius = stable_radius(F, found, ((a) => _force_4(a, R, H, k, dgamma)), slope, pulled, up_to(R, k));
+  return math.ldexp(radius, unit);
+};
+
+const radius_from_force_3 = (F, R, H, k, dgamma) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return _radius_from_force_3(F, R, H, k, dgamma);
+};
+
+const _pull_off_radius_of_sphere = (R, H, k, dgamma, control) => {
+  let found, load, radius, stress, unit;
+  unit = exponent_of(R);
+  [stress, H] = stress_at(unit, H, k);
+  R = math.ldexp(R, (-unit));
+  dgamma = math.ldexp(dgamma, (-(stress + unit)));
+  found = _branches_of_sphere(R, H, k, dgamma, control);
+  load = ((control === 'force') ? _force_4 : _depth_4);
+  radius = math.lowest(found, ((a) => load(a, R, H, k, dgamma)));
+  return math.ldexp(radius, unit);
+};
+
+const pull_off_of_sphere = (control = 'force', R, H, k, dgamma) => {
+  let depth, force, radius;
+  if ((!((0.0 < R && R < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  radius = _pull_off_radius_of_sphere(R, H, k, dgamma, control);
+  force = ((radius >= 0.0) ? _force_4(radius, R, H, k, dgamma) : NaN);
+  depth = ((radius >= 0.0) ? _depth_4(radius, R, H, k, dgamma) : NaN);
+  return PullOff(radius, force, depth);
+};
+
+const _close = (m, c, a) => {
+  let inner;
+  inner = difference_root(c, m);
+  return ((inner > 0.0) & (inner >= (CLOSE * difference_root(a, m))));
+};
+
+const _weight = (quantity, t, y, k) => {
+  if ((quantity === 'depth')) {
+    return 1.0;
+  }
+  return ((quantity === 'force') ? (t * Math.pow(t, k)) : (Math.pow(y, k) / y));
+};
+
+const _span = (c, a, distance) => {
+  return math.where((a > c), (0.5 * Math.log1p((((a - c) / distance) * ((a + c) / distance)))), 0.0);
+};
+
+const _grown_below = (quantity, rate, r, c, a, R, k, close) => {
+  let holds, integrand, last, ratio, scale, start;
+  [scale, start] = [difference_root(R, r), difference_root(c, r)];
+  [ratio, last] = [(start / difference_root(R, c)), (difference_root(R, a) / scale)];
+  integrand = (w) => {
+    let secant, t, tangent, y;
+    tangent = (ratio * Math.exp(w));
+    secant = Math.sqrt((1.0 + (tangent * tangent)));
+    y = (scale * (tangent / secant));
+    t = Math.sqrt(((r * r) + (y * y)));
+    return (((rate(t, (scale / secant), k) * _weight(quantity, t, y, k)) * (y / secant)) * ((y / t) / secant));
+  };
+  holds = (close & (start > 0.0));
+  return math.where(holds, math.integral_in_strip(integrand, math.where(holds, _span(c, a, (start * last)), 0.0)), 0.0);
+};
+
+const either = (condition, x, y) => {
+  if (Boolean(condition)) {
+    return x();
+  }
+  return (Boolean(condition) ? (condition ? x() : y()) : y());
+};
+
+const below_gain = (quantity, whole, rate, lengths, r, c, a, k) => {
+  let R, close, values;
+  [R] = lengths;
+  values = (t) => {
+    return ((quantity === 'pressure') ? whole(r, t, R, k) : whole(t, difference_root(R, t), k));
+  };
+  close = _close(r, c, a);
+  return either(close, (() => _grown_below(quantity, rate, r, c, a, R, k, close)), (() => (values(a) - values(c))));
+};
+
+const _tangential_force_2 = (a, c, R, H, k, mu) => {
+  let gain;
+  gain = below_gain('force', sphere_force, sphere_rate, [R], 0.0, c, a, k);
+  return math.where((a <= R), ((mu * ((2.0 * H) / (1.0 + k))) * gain), NaN);
+};
+
+const tangential_force_of_sphere = (a, c, R, H, k, mu) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  if ((!(!(c > a)))) {
+    return NaN;
+  }
+  return (((a >= 0.0) && (c >= 0.0)) ? _tangential_force_2(a, c, R, H, k, mu) : NaN);
+};
+
+const _traction_of_sphere = (r, a, c, R, H, k, mu) => {
+  let gain;
+  gain = () => {
+    let inside;
+    inside = math.minimum(r, c);
+    return below_gain('pressure', sphere_pressure, sphere_rate, [R], inside, c, a, k);
+  };
+  return math.where((a <= R), (mu * either((r < c), (() => ((H / Math.PI) * gain())), (() => _pressure_5(r, a, R, H, k)))), NaN);
+};
+
+const traction_of_sphere = (r, a, c, R, H, k, mu) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  if ((!(!(c > a)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0) && (c >= 0.0)) ? ((r < Infinity) ? _traction_of_sphere(r, a, c, R, H, k, mu) : 0.0) : NaN);
+};
+
+const _tangential_displacement_2 = (a, c, R, H, H_x, k, mu) => {
+  let gain;
+  gain = below_gain('depth', sphere_depth, sphere_rate, [R], 0.0, c, a, k);
+  return math.where((a <= R), ((mu * (H / H_x)) * gain), NaN);
+};
+
+const tangential_displacement_of_sphere = (a, c, R, H, H_x, k, mu) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < H && H < Infinity) && (0.0 < H_x && H_x < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  if ((!(!(c > a)))) {
+    return NaN;
+  }
+  return (((a >= 0.0) && (c >= 0.0)) ? _tangential_displacement_2(a, c, R, H, H_x, k, mu) : NaN);
+};
+
+const _stick_radius_of_sphere = (F_x, a, R, H, k, mu) => {
+  let F;
+  F = stick_force(_force_3(a, R, H, k), F_x, mu);
+  return (((F_x === 0.0) & (a >= 0.0)) ? a : _radius_from_force_2(F, R, H, k));
+};
+
+const stick_radius_of_sphere = (F_x, a, R, H, k, mu) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  return (((F_x >= 0.0) && (a >= 0.0)) ? _stick_radius_of_sphere(F_x, a, R, H, k, mu) : NaN);
+};
+
+const _full_slip_displacement_2 = (a, R, H, H_x, k, mu) => {
+  return ((mu * (H / H_x)) * _depth_3(a, R, k));
+};
+
+const full_slip_displacement_of_sphere = (a, R, H, H_x, k, mu) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < H && H < Infinity) && (0.0 < H_x && H_x < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _full_slip_displacement_2(a, R, H, H_x, k, mu) : NaN);
+};
+
+const relaxation_maxwell = (t, E, tau) => {
+  return (E * Math.exp(((-t) / tau)));
+};
+
+const _step_force_maxwell = (t, d, R, E, tau) => {
+  return (relaxation_maxwell(t, E, tau) * _force_from_depth(d, R, 1.0));
+};
+
+const step_force_maxwell = (t, d, R, E, tau) => {
+  if ((!((0.0 <= d && d < Infinity) && (0.0 < R && R < Infinity) && (0.0 < E && E < Infinity) && (0.0 < tau && tau < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_force_maxwell(t, d, R, E, tau) : NaN);
+};
+
+const creep_maxwell = (t, E, tau) => {
+  return ((1.0 + (t / tau)) / E);
+};
+
+const _step_load_radius_maxwell = (t, F, R, E, tau) => {
+  return _radius_from_force((F * creep_maxwell(t, E, tau)), R, 1.0);
+};
+
+const step_load_radius_maxwell = (t, F, R, E, tau) => {
+  if ((!((0.0 <= F && F < Infinity) && (0.0 < R && R < Infinity) && (0.0 < E && E < Infinity) && (0.0 < tau && tau < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_load_radius_maxwell(t, F, R, E, tau) : NaN);
+};
+
+const relaxation_kelvin_voigt = (t, E, eta) => {
+  if ((t > 0.0)) {
+    return E;
+  }
+  return Infinity;
+};
+
+const _step_force_kelvin_voigt = (t, d, R, E, eta) => {
+  return (relaxation_kelvin_voigt(t, E, eta) * _force_from_depth(d, R, 1.0));
+};
+
+const step_force_kelvin_voigt = (t, d, R, E, eta) => {
+  if ((!((0.0 <= d && d < Infinity) && (0.0 < R && R < Infinity) && (0.0 < E && E < Infinity) && (0.0 < eta && eta < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_force_kelvin_voigt(t, d, R, E, eta) : NaN);
+};
+
+const creep_kelvin_voigt = (t, E, eta) => {
+  return ((-Math.expm1((((-E) * t) / eta))) / E);
+};
+
+const _step_load_radius_kelvin_voigt = (t, F, R, E, eta) => {
+  return _radius_from_force((F * creep_kelvin_voigt(t, E, eta)), R, 1.0);
+};
+
+const step_load_radius_kelvin_voigt = (t, F, R, E, eta) => {
+  if ((!((0.0 <= F && F < Infinity) && (0.0 < R && R < Infinity) && (0.0 < E && E < Infinity) && (0.0 < eta && eta < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_load_radius_kelvin_voigt(t, F, R, E, eta) : NaN);
+};
+
+const relaxation_standard_solid = (t, E_inf, E_1, tau) => {
+  return (E_inf + (E_1 * Math.exp(((-t) / tau))));
+};
+
+const _step_force_standard_solid = (t, d, R, E_inf, E_1, tau) => {
+  return (relaxation_standard_solid(t, E_inf, E_1, tau) * _force_from_depth(d, R, 1.0));
+};
+
+const step_force_standard_solid = (t, d, R, E_inf, E_1, tau) => {
+  if ((!((0.0 <= d && d < Infinity) && (0.0 < R && R < Infinity) && (0.0 < E_inf && E_inf < Infinity) && (0.0 <= E_1 && E_1 < Infinity) && (0.0 < tau && tau < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_force_standard_solid(t, d, R, E_inf, E_1, tau) : NaN);
+};
+
+const creep_standard_solid = (t, E_inf, E_1, tau) => {
+  let v4;
+  v4 = (E_inf + E_1);
+  return ((1.0 / v4) - (((E_1 / v4) * Math.expm1((-((t / tau) * (E_inf / v4))))) / E_inf));
+};
+
+const _step_load_radius_standard_solid = (t, F, R, E_inf, E_1, tau) => {
+  return _radius_from_force((F * creep_standard_solid(t, E_inf, E_1, tau)), R, 1.0);
+};
+
+const step_load_radius_standard_solid = (t, F, R, E_inf, E_1, tau) => {
+  if ((!((0.0 <= F && F < Infinity) && (0.0 < R && R < Infinity) && (0.0 < E_inf && E_inf < Infinity) && (0.0 <= E_1 && E_1 < Infinity) && (0.0 < tau && tau < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_load_radius_standard_solid(t, F, R, E_inf, E_1, tau) : NaN);
+};
+
+const relaxation_power_creep = (t, E, alpha, t_0) => {
+  let v8;
+  v8 = (3.141592653589793 * alpha);
+  return (((E * Math.pow((t_0 / t), alpha)) * Math.sin(v8)) / v8);
+};
+
+const _step_force_power_creep = (t, d, R, E, alpha, t_0) => {
+  return (relaxation_power_creep(t, E, alpha, t_0) * _force_from_depth(d, R, 1.0));
+};
+
+const step_force_power_creep = (t, d, R, E, alpha, t_0) => {
+  if ((!((0.0 <= d && d < Infinity) && (0.0 < R && R < Infinity) && (0.0 < E && E < Infinity) && (0.0 < alpha && alpha < 1.0) && (0.0 < t_0 && t_0 < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_force_power_creep(t, d, R, E, alpha, t_0) : NaN);
+};
+
+const creep_power_creep = (t, E, alpha, t_0) => {
+  return (Math.pow((t / t_0), alpha) / E);
+};
+
+const _step_load_radius_power_creep = (t, F, R, E, alpha, t_0) => {
+  return _radius_from_force((F * creep_power_creep(t, E, alpha, t_0)), R, 1.0);
+};
+
+const step_load_radius_power_creep = (t, F, R, E, alpha, t_0) => {
+  if ((!((0.0 <= F && F < Infinity) && (0.0 < R && R < Infinity) && (0.0 < E && E < Infinity) && (0.0 < alpha && alpha < 1.0) && (0.0 < t_0 && t_0 < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_load_radius_power_creep(t, F, R, E, alpha, t_0) : NaN);
+};
+
+const once = { pull_off: math.kept(pull_off), pull_off_of_sphere: math.kept(pull_off_of_sphere) };
 const formulas = {
   "d": (v) => depth(v.a, v.R),
   "F": (v) => force(v.a, v.R, v.E_star),
@@ -1344,11 +2590,55 @@ const formulas = {
   "adh.F": (v) => force_of_sphere(v.a, v.R, v.E_star, v.dgamma),
   "adh.p": (v) => pressure_of_sphere(v.r, v.a, v.R, v.E_star, v.dgamma),
   "adh.w": (v) => displacement_of_sphere(v.r, v.a, v.R, v.E_star, v.dgamma),
+  "adh.ad": (v) => radius_from_depth_of_sphere(v.d, v.R, v.E_star, v.dgamma),
+  "adh.aF": (v) => radius_from_force_of_sphere(v.F, v.R, v.E_star, v.dgamma),
+  "adh.ac": (v) => (once.pull_off('force', v.R, v.E_star, v.dgamma).radius ?? NaN),
+  "adh.Fc": (v) => (once.pull_off('force', v.R, v.E_star, v.dgamma).force ?? NaN),
+  "adh.dc": (v) => (once.pull_off('force', v.R, v.E_star, v.dgamma).depth ?? NaN),
+  "adh.am": (v) => (once.pull_off('depth', v.R, v.E_star, v.dgamma).radius ?? NaN),
+  "adh.Fm": (v) => (once.pull_off('depth', v.R, v.E_star, v.dgamma).force ?? NaN),
+  "adh.dm": (v) => (once.pull_off('depth', v.R, v.E_star, v.dgamma).depth ?? NaN),
   "tan.F": (v) => tangential_force(v.a, v.c, v.R, v.E_star, v.mu),
   "tan.tau": (v) => traction(v.r, v.a, v.c, v.R, v.E_star, v.mu),
   "tan.u": (v) => tangential_displacement(v.a, v.c, v.R, v.E_star, v.G_star, v.mu),
   "tan.c": (v) => stick_radius(v.F_x, v.a, v.R, v.E_star, v.mu),
   "tan.us": (v) => full_slip_displacement(v.a, v.R, v.E_star, v.G_star, v.mu),
+  "fgm.d": (v) => depth_2(v.a, v.R, v.k),
+  "fgm.F": (v) => force_2(v.a, v.R, v.H, v.k),
+  "fgm.p": (v) => pressure_2(v.r, v.a, v.R, v.H, v.k),
+  "fgm.w": (v) => displacement_2(v.r, v.a, v.R, v.k),
+  "fgm.k": (v) => stiffness_of_sphere(v.a, v.R, v.H, v.k),
+  "fgm.pm": (v) => mean_pressure_of_sphere(v.a, v.R, v.H, v.k),
+  "fgm.ad": (v) => radius_from_depth_2(v.d, v.R, v.k),
+  "fgm.aF": (v) => radius_from_force_2(v.F, v.R, v.H, v.k),
+  "fgm.Fd": (v) => force_from_depth_of_sphere(v.d, v.R, v.H, v.k),
+  "fgm.dF": (v) => depth_from_force_of_sphere(v.F, v.R, v.H, v.k),
+  "fgm.adh.Dl": (v) => retraction_of_sphere(v.a, v.H, v.k, v.dgamma),
+  "fgm.adh.d": (v) => depth_3(v.a, v.R, v.H, v.k, v.dgamma),
+  "fgm.adh.F": (v) => force_3(v.a, v.R, v.H, v.k, v.dgamma),
+  "fgm.adh.p": (v) => pressure_3(v.r, v.a, v.R, v.H, v.k, v.dgamma),
+  "fgm.adh.w": (v) => displacement_3(v.r, v.a, v.R, v.H, v.k, v.dgamma),
+  "fgm.adh.ad": (v) => radius_from_depth_3(v.d, v.R, v.H, v.k, v.dgamma),
+  "fgm.adh.aF": (v) => radius_from_force_3(v.F, v.R, v.H, v.k, v.dgamma),
+  "fgm.adh.ac": (v) => (once.pull_off_of_sphere('force', v.R, v.H, v.k, v.dgamma).radius ?? NaN),
+  "fgm.adh.Fc": (v) => (once.pull_off_of_sphere('force', v.R, v.H, v.k, v.dgamma).force ?? NaN),
+  "fgm.adh.dc": (v) => (once.pull_off_of_sphere('force', v.R, v.H, v.k, v.dgamma).depth ?? NaN),
+  "fgm.adh.am": (v) => (once.pull_off_of_sphere('depth', v.R, v.H, v.k, v.dgamma).radius ?? NaN),
+  "fgm.adh.Fm": (v) => (once.pull_off_of_sphere('depth', v.R, v.H, v.k, v.dgamma).force ?? NaN),
+  "fgm.adh.dm": (v) => (once.pull_off_of_sphere('depth', v.R, v.H, v.k, v.dgamma).depth ?? NaN),
+  "fgm.tan.F": (v) => tangential_force_of_sphere(v.a, v.c, v.R, v.H, v.k, v.mu),
+  "fgm.tan.tau": (v) => traction_of_sphere(v.r, v.a, v.c, v.R, v.H, v.k, v.mu),
+  "fgm.tan.u": (v) => tangential_displacement_of_sphere(v.a, v.c, v.R, v.H, v.H_x, v.k, v.mu),
+  "fgm.tan.c": (v) => stick_radius_of_sphere(v.F_x, v.a, v.R, v.H, v.k, v.mu),
+  "fgm.tan.us": (v) => full_slip_displacement_of_sphere(v.a, v.R, v.H, v.H_x, v.k, v.mu),
+  "vis.step_mx": (v) => step_force_maxwell(v.t, v.d, v.R, v.E_law, v.tau),
+  "vis.load_mx": (v) => step_load_radius_maxwell(v.t, v.F, v.R, v.E_law, v.tau),
+  "vis.step_kv": (v) => step_force_kelvin_voigt(v.t, v.d, v.R, v.E_law, v.eta),
+  "vis.load_kv": (v) => step_load_radius_kelvin_voigt(v.t, v.F, v.R, v.E_law, v.eta),
+  "vis.step_sls": (v) => step_force_standard_solid(v.t, v.d, v.R, v.E_inf, v.E_1, v.tau),
+  "vis.load_sls": (v) => step_load_radius_standard_solid(v.t, v.F, v.R, v.E_inf, v.E_1, v.tau),
+  "vis.step_pc": (v) => step_force_power_creep(v.t, v.d, v.R, v.E_law, v.alpha, v.t_0),
+  "vis.load_pc": (v) => step_load_radius_power_creep(v.t, v.F, v.R, v.E_law, v.alpha, v.t_0),
 };
 window.calculator = { ...{
  "fields": [
@@ -1408,6 +2698,39 @@ window.calculator = { ...{
    "value": ""
   },
   {
+   "name": "H",
+   "tex": "H",
+   "meaning": "foundation modulus of the graded half-space",
+   "unit": "Pa m^(-k)",
+   "rule": "H > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 50000000.0
+  },
+  {
+   "name": "k",
+   "tex": "k",
+   "meaning": "exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space",
+   "unit": "1",
+   "rule": "-1 < k < 1",
+   "low": -1.0,
+   "high": 1.0,
+   "closed": "",
+   "value": 0.3
+  },
+  {
+   "name": "H_x",
+   "tex": "H_x",
+   "meaning": "tangential foundation modulus",
+   "unit": "Pa m^(-k)",
+   "rule": "H_x > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 30000000.0
+  },
+  {
    "name": "mu",
    "tex": "\\mu",
    "meaning": "coefficient of friction",
@@ -1461,6 +2784,94 @@ window.calculator = { ...{
    "high": null,
    "closed": "",
    "value": ""
+  },
+  {
+   "name": "E_law",
+   "tex": "E",
+   "meaning": "effective (plane-strain) modulus of the viscoelastic law",
+   "unit": "Pa",
+   "rule": "E_law > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 3000000.0
+  },
+  {
+   "name": "E_inf",
+   "tex": "E_\\infty",
+   "meaning": "long-time effective modulus",
+   "unit": "Pa",
+   "rule": "E_inf > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 1000000.0
+  },
+  {
+   "name": "E_1",
+   "tex": "E_1",
+   "meaning": "relaxing part of the effective modulus",
+   "unit": "Pa",
+   "rule": "E_1 >= 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "low",
+   "value": 2000000.0
+  },
+  {
+   "name": "tau",
+   "tex": "\\tau",
+   "meaning": "relaxation time",
+   "unit": "s",
+   "rule": "tau > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 1.0
+  },
+  {
+   "name": "eta",
+   "tex": "\\eta",
+   "meaning": "effective viscosity",
+   "unit": "Pa s",
+   "rule": "eta > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 1000000.0
+  },
+  {
+   "name": "alpha",
+   "tex": "\\alpha",
+   "meaning": "exponent of power-law creep",
+   "unit": "1",
+   "rule": "0 < alpha < 1",
+   "low": 0.0,
+   "high": 1.0,
+   "closed": "",
+   "value": 0.3
+  },
+  {
+   "name": "t_0",
+   "tex": "t_0",
+   "meaning": "reference time of power-law creep",
+   "unit": "s",
+   "rule": "t_0 > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 1.0
+  },
+  {
+   "name": "t",
+   "tex": "t",
+   "meaning": "time since first contact",
+   "unit": "s",
+   "rule": "t >= 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "low",
+   "value": 1.0
   }
  ],
  "state": [
@@ -1507,7 +2918,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": "d"
+   "suffix": "d",
+   "medium": 0
   },
   "F": {
    "gives": "F",
@@ -1518,7 +2930,8 @@ window.calculator = { ...{
    ],
    "unit": "N",
    "place": "",
-   "suffix": "F"
+   "suffix": "F",
+   "medium": 0
   },
   "p": {
    "gives": "p",
@@ -1530,7 +2943,8 @@ window.calculator = { ...{
    ],
    "unit": "Pa",
    "place": "inside",
-   "suffix": "p"
+   "suffix": "p",
+   "medium": 0
   },
   "w": {
    "gives": "w",
@@ -1541,7 +2955,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "outside",
-   "suffix": "w"
+   "suffix": "w",
+   "medium": 0
   },
   "k": {
    "gives": "stiffness",
@@ -1552,7 +2967,8 @@ window.calculator = { ...{
    ],
    "unit": "N/m",
    "place": "",
-   "suffix": "k"
+   "suffix": "k",
+   "medium": 0
   },
   "pm": {
    "gives": "p_mean",
@@ -1563,7 +2979,8 @@ window.calculator = { ...{
    ],
    "unit": "Pa",
    "place": "",
-   "suffix": "pm"
+   "suffix": "pm",
+   "medium": 0
   },
   "U": {
    "gives": "U",
@@ -1574,7 +2991,8 @@ window.calculator = { ...{
    ],
    "unit": "J",
    "place": "",
-   "suffix": "U"
+   "suffix": "U",
+   "medium": 0
   },
   "Fr": {
    "gives": "F_r",
@@ -1586,7 +3004,8 @@ window.calculator = { ...{
    ],
    "unit": "N",
    "place": "inside",
-   "suffix": "Fr"
+   "suffix": "Fr",
+   "medium": 0
   },
   "ad": {
    "gives": "a",
@@ -1596,7 +3015,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": "ad"
+   "suffix": "ad",
+   "medium": 0
   },
   "aF": {
    "gives": "a",
@@ -1607,7 +3027,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": "aF"
+   "suffix": "aF",
+   "medium": 0
   },
   "Fd": {
    "gives": "F",
@@ -1618,7 +3039,8 @@ window.calculator = { ...{
    ],
    "unit": "N",
    "place": "",
-   "suffix": "Fd"
+   "suffix": "Fd",
+   "medium": 0
   },
   "dF": {
    "gives": "d",
@@ -1629,7 +3051,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": "dF"
+   "suffix": "dF",
+   "medium": 0
   },
   "adh.Dl": {
    "gives": "retraction",
@@ -1640,7 +3063,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
   },
   "adh.d": {
    "gives": "d",
@@ -1652,7 +3076,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
   },
   "adh.F": {
    "gives": "F",
@@ -1664,7 +3089,8 @@ window.calculator = { ...{
    ],
    "unit": "N",
    "place": "",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
   },
   "adh.p": {
    "gives": "p",
@@ -1677,7 +3103,8 @@ window.calculator = { ...{
    ],
    "unit": "Pa",
    "place": "inside",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
   },
   "adh.w": {
    "gives": "w",
@@ -1690,7 +3117,106 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "outside",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.ad": {
+   "gives": "a",
+   "needs": [
+    "d",
+    "R",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.aF": {
+   "gives": "a",
+   "needs": [
+    "F",
+    "R",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.ac": {
+   "gives": "a_c",
+   "needs": [
+    "R",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.Fc": {
+   "gives": "F",
+   "needs": [
+    "R",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.dc": {
+   "gives": "d",
+   "needs": [
+    "R",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.am": {
+   "gives": "a_c",
+   "needs": [
+    "R",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.Fm": {
+   "gives": "F",
+   "needs": [
+    "R",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.dm": {
+   "gives": "d",
+   "needs": [
+    "R",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
   },
   "tan.F": {
    "gives": "F_x",
@@ -1703,7 +3229,8 @@ window.calculator = { ...{
    ],
    "unit": "N",
    "place": "",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
   },
   "tan.tau": {
    "gives": "tau",
@@ -1717,7 +3244,8 @@ window.calculator = { ...{
    ],
    "unit": "Pa",
    "place": "inside",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
   },
   "tan.u": {
    "gives": "u_0",
@@ -1731,7 +3259,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
   },
   "tan.c": {
    "gives": "c",
@@ -1744,7 +3273,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
   },
   "tan.us": {
    "gives": "u_0",
@@ -1757,7 +3287,507 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
+  },
+  "fgm.d": {
+   "gives": "d",
+   "needs": [
+    "a",
+    "R",
+    "k"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "d",
+   "medium": 1
+  },
+  "fgm.F": {
+   "gives": "F",
+   "needs": [
+    "a",
+    "R",
+    "H",
+    "k"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "F",
+   "medium": 1
+  },
+  "fgm.p": {
+   "gives": "p",
+   "needs": [
+    "r",
+    "a",
+    "R",
+    "H",
+    "k"
+   ],
+   "unit": "Pa",
+   "place": "inside",
+   "suffix": "p",
+   "medium": 1
+  },
+  "fgm.w": {
+   "gives": "w",
+   "needs": [
+    "r",
+    "a",
+    "R",
+    "k"
+   ],
+   "unit": "m",
+   "place": "outside",
+   "suffix": "w",
+   "medium": 1
+  },
+  "fgm.k": {
+   "gives": "stiffness",
+   "needs": [
+    "a",
+    "R",
+    "H",
+    "k"
+   ],
+   "unit": "N/m",
+   "place": "",
+   "suffix": "k",
+   "medium": 1
+  },
+  "fgm.pm": {
+   "gives": "p_mean",
+   "needs": [
+    "a",
+    "R",
+    "H",
+    "k"
+   ],
+   "unit": "Pa",
+   "place": "",
+   "suffix": "pm",
+   "medium": 1
+  },
+  "fgm.ad": {
+   "gives": "a",
+   "needs": [
+    "d",
+    "R",
+    "k"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "ad",
+   "medium": 1
+  },
+  "fgm.aF": {
+   "gives": "a",
+   "needs": [
+    "F",
+    "R",
+    "H",
+    "k"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "aF",
+   "medium": 1
+  },
+  "fgm.Fd": {
+   "gives": "F",
+   "needs": [
+    "d",
+    "R",
+    "H",
+    "k"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "Fd",
+   "medium": 1
+  },
+  "fgm.dF": {
+   "gives": "d",
+   "needs": [
+    "F",
+    "R",
+    "H",
+    "k"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "dF",
+   "medium": 1
+  },
+  "fgm.adh.Dl": {
+   "gives": "retraction",
+   "needs": [
+    "a",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.d": {
+   "gives": "d",
+   "needs": [
+    "a",
+    "R",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.F": {
+   "gives": "F",
+   "needs": [
+    "a",
+    "R",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.p": {
+   "gives": "p",
+   "needs": [
+    "r",
+    "a",
+    "R",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "Pa",
+   "place": "inside",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.w": {
+   "gives": "w",
+   "needs": [
+    "r",
+    "a",
+    "R",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "outside",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.ad": {
+   "gives": "a",
+   "needs": [
+    "d",
+    "R",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.aF": {
+   "gives": "a",
+   "needs": [
+    "F",
+    "R",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.ac": {
+   "gives": "a_c",
+   "needs": [
+    "R",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.Fc": {
+   "gives": "F",
+   "needs": [
+    "R",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.dc": {
+   "gives": "d",
+   "needs": [
+    "R",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.am": {
+   "gives": "a_c",
+   "needs": [
+    "R",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.Fm": {
+   "gives": "F",
+   "needs": [
+    "R",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.dm": {
+   "gives": "d",
+   "needs": [
+    "R",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.tan.F": {
+   "gives": "F_x",
+   "needs": [
+    "a",
+    "c",
+    "R",
+    "H",
+    "k",
+    "mu"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.tan.tau": {
+   "gives": "tau",
+   "needs": [
+    "r",
+    "a",
+    "c",
+    "R",
+    "H",
+    "k",
+    "mu"
+   ],
+   "unit": "Pa",
+   "place": "inside",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.tan.u": {
+   "gives": "u_0",
+   "needs": [
+    "a",
+    "c",
+    "R",
+    "H",
+    "H_x",
+    "k",
+    "mu"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.tan.c": {
+   "gives": "c",
+   "needs": [
+    "F_x",
+    "a",
+    "R",
+    "H",
+    "k",
+    "mu"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.tan.us": {
+   "gives": "u_0",
+   "needs": [
+    "a",
+    "R",
+    "H",
+    "H_x",
+    "k",
+    "mu"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "vis.step_mx": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "d",
+    "R",
+    "E_law",
+    "tau"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.load_mx": {
+   "gives": "a",
+   "needs": [
+    "t",
+    "F",
+    "R",
+    "E_law",
+    "tau"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.step_kv": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "d",
+    "R",
+    "E_law",
+    "eta"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.load_kv": {
+   "gives": "a",
+   "needs": [
+    "t",
+    "F",
+    "R",
+    "E_law",
+    "eta"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.step_sls": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "d",
+    "R",
+    "E_inf",
+    "E_1",
+    "tau"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.load_sls": {
+   "gives": "a",
+   "needs": [
+    "t",
+    "F",
+    "R",
+    "E_inf",
+    "E_1",
+    "tau"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.step_pc": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "d",
+    "R",
+    "E_law",
+    "alpha",
+    "t_0"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.load_pc": {
+   "gives": "a",
+   "needs": [
+    "t",
+    "F",
+    "R",
+    "E_law",
+    "alpha",
+    "t_0"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
   }
  },
  "place": "r"

@@ -25,7 +25,10 @@ const math = {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
     return Array.from({ length: Math.max(Math.ceil((stop - start) / step), 0) }, (_, count) => start + step * count);
   },
-  zip: (x, y) => x.map((value, place) => [value, y[place]]),
+  zip: (x, y) => x.slice(0, y.length).map((value, place) => [value, y[place]]),
+  // named fields that are told by their places too
+  record: (fields) => Object.assign(Object.values(fields), fields),
+  replaced: (x, changes) => math.record({ ...Object.fromEntries(Object.entries(x).slice(x.length)), ...changes }),
   enumerate: (x, start = 0) => Array.from(x, (value, place) => [place + start, value]),
   repeated: (x, count) => math.range(count).flatMap(() => x),
   reversed: (x) => [...x].reverse(),
@@ -84,6 +87,63 @@ const math = {
     bits.setBigInt64(0, bits.getBigInt64(0) + (x > 0.0 === to > x ? 1n : -1n));
     return bits.getFloat64(0);
   },
+  halfway: (low, high) => {
+    const bits = new DataView(new ArrayBuffer(16));
+    bits.setFloat64(0, low);
+    bits.setFloat64(8, high);
+    const first = bits.getBigInt64(0);
+    bits.setBigInt64(0, first + (bits.getBigInt64(8) - first) / 2n);
+    return bits.getFloat64(0);
+  },
+  // radii around waves: decades, sixteen in each wave, decades
+  radii_of_waves: (length, reach) => {
+    const waves = Math.floor(math.clip(Number.isFinite(reach / length) ? reach / length : 4.0, 4.0, 4096.0));
+    const inner = [...math.range(15).map((place) => Math.pow(10.0, 10 * place - 150)), ...math.range(1, 16 * waves + 1).map((x) => x / 16.0)];
+    return [...inner, ...math.range(10).map((place) => (waves + 1.0) * Math.pow(10.0, 10 * place))].map((x) => x * length);
+  },
+  // what was found for the last arguments
+  kept: (of) => {
+    const known = new Map();
+    return (...given) => {
+      const key = given.join();
+      if (known.size > 99) known.clear();
+      if (!known.has(key)) known.set(key, of(...given));
+      return known.get(key);
+    };
+  },
+  // the branches on which a steepness is above a level, each end refined where the sign changes between two radii; what
+  // was sampled is that of a geometry, and keeps what was found in it
+  branches: (change, far) => (steepness, sampled, level) => {
+    const { radii, end } = sampled;
+    const steep = (sampled.steep ??= radii.map((a) => steepness(a)));
+    sampled.found ??= math.kept((level) => math.searched(change, far, steepness, radii, steep, end, level));
+    return sampled.found(level);
+  },
+  searched: (change, far, steepness, radii, steep, end, level) => {
+    const above = (a) => Math.log(steepness(a) / level);
+    const [first, last] = [[], []];
+    if (steep[0] >= level) first.push(radii[0]);
+    for (let place = 1; place < radii.length; place++) {
+      const [before, after] = [steep[place - 1], steep[place]];
+      const up = after >= level;
+      if (up !== before >= level && (up || radii[place - 1] < far)) {
+        const found = change(above, radii[place - 1], radii[place], Math.log(before / level), Math.log(after / level), up ? 1.0 : -1.0);
+        (up ? first : last).push(found);
+      }
+    }
+    const largest = math.nextafter(radii.at(-1), 0.0);
+    return { first: first.map((a) => Math.min(a, largest)), last: [...last, end].slice(0, first.length) };
+  },
+  lowest: ({ first }, load) => {
+    const loads = first.map(load);
+    const known = loads.filter((x) => x === x);
+    return known.length ? first[loads.indexOf(Math.min(...known))] : NaN;
+  },
+  springs: (pairs, under) => (left, low, high) => {
+    const first = left(low);
+    const terms = pairs.map(([node, weight]) => weight * left(low + (high - low) * node));
+    return (high - low) * (math.fsum(terms) + under * first);
+  },
   // nodes and weights on (0, 1) for an interval of a length, in panels beyond the last one
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
@@ -99,6 +159,19 @@ const math = {
   integral_by_panels: (integrand, stop, width, count) => {
     const panels = panelsOf(Math.max(stop / width, 1.0));
     return math.fsum(pairs(count, panels).map(([node, weight]) => weight * integrand(node * stop))) * stop;
+  },
+  both: (integrand, stop, width = 1.0, lengths = STRIPS) => {
+    if (stop !== stop) return [stop, stop];
+    const panels = panelsOf(Math.max(stop / width / lengths.at(-1)[0], 1.0));
+    const [first, second] = [[], []];
+    for (let start = 0; start < panels; start++) {
+      for (const [node, weight] of math.rule(lengths)(stop / width / panels)) {
+        const [x, y] = integrand(((start + node) / panels) * stop);
+        first.push((weight / panels) * x);
+        second.push((weight / panels) * y);
+      }
+    }
+    return [math.fsum(first) * stop, math.fsum(second) * stop];
   },
   integral_by_length: (...given) => math.integral_in_strip(...given),
   in_groups: (rule_of) => (slope, parameters, ...given) => {
@@ -1050,6 +1123,333 @@ const displacement_of_truncated_cone = (r, a, theta, b, E_star, dgamma) => {
   return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_of_truncated_cone(r, a, theta, b, E_star, dgamma) : 0.0) : NaN);
 };
 
+const exponent_of = (x) => {
+  return (math.frexp(x)[1] - 1);
+};
+
+const _rate = (a, theta, b) => {
+  let v11, v3, v8;
+  v3 = (a - b);
+  v8 = math.sqrt(((((v3 > 0.0) || (v3 !== v3)) ? v3 : 0.0) * (a + b)));
+  v11 = Math.tan(theta);
+  return ((v11 * Math.atan((v8 / b))) + ((b * v11) / v8));
+};
+
+const radii_beyond = (length = 1.0) => [1.0, 1.0000000000000049, 1.0000000000000062, 1.0000000000000078, 1.00000000000001, 1.0000000000000124, 1.0000000000000158, 1.0000000000000198, 1.000000000000025, 1.0000000000000315, 1.0000000000000397, 1.00000000000005, 1.0000000000000628, 1.0000000000000793, 1.0000000000000997, 1.0000000000001255, 1.000000000000158, 1.000000000000199, 1.0000000000002505, 1.0000000000003155, 1.000000000000397, 1.0000000000005, 1.0000000000006295, 1.0000000000007925, 1.0000000000009976, 1.0000000000012559, 1.0000000000015812, 1.0000000000019904, 1.0000000000025058, 1.0000000000031548, 1.0000000000039715, 1.000000000005, 1.0000000000062945, 1.0000000000079243, 1.0000000000099762, 1.0000000000125593, 1.0000000000158114, 1.0000000000199054, 1.0000000000250593, 1.0000000000315479, 1.0000000000397165, 1.00000000005, 1.0000000000629463, 1.0000000000792446, 1.000000000099763, 1.0000000001255942, 1.0000000001581137, 1.0000000001990534, 1.0000000002505935, 1.0000000003154785, 1.000000000397164, 1.0000000005, 1.0000000006294627, 1.0000000007924466, 1.000000000997631, 1.0000000012559431, 1.0000000015811388, 1.0000000019905357, 1.0000000025059361, 1.0000000031547867, 1.000000003971641, 1.000000005, 1.000000006294627, 1.000000007924466, 1.0000000099763116, 1.0000000125594322, 1.0000000158113882, 1.0000000199053583, 1.0000000250593615, 1.0000000315478668, 1.0000000397164108, 1.0000000499999988, 1.0000000629462686, 1.0000000792446564, 1.0000000997631109, 1.0000001255943136, 1.0000001581138704, 1.0000001990535654, 1.0000002505935854, 1.0000003154786223, 1.0000003971640385, 1.000000499999875, 1.0000006294625077, 1.0000007924462821, 1.0000009976306599, 1.0000012559424272, 1.0000015811375802, 1.0000019905338717, 1.0000025059330282, 1.000003154781746, 1.0000039716332867, 1.0000049999875, 1.0000062946072479, 1.0000079244345639, 1.000009976261812, 1.000012559353289, 1.0000158112633029, 1.00001990516042, 1.0000250590477036, 1.0000315473696058, 1.0000397156230707, 1.0000499987500624, 1.0000629442895979, 1.0000792415200137, 1.0000997581399051, 1.0001255864355991, 1.0001581013849845, 1.0001990337780544, 1.000250562226099, 1.0003154289245368, 1.0003970852790027, 1.000499875062461, 1.000629264718854, 1.0007921328589973, 1.000997134019358, 1.00125515550808, 1.00157989080261, 1.0019885586699753, 1.00250280415382, 1.0031498260204212, 1.003963785376366, 1.0049875621120885, 1.0062749396253194, 1.007893313761238, 1.0099270385278765, 1.0124815377650564, 1.0156883265065522, 1.0197110948966603, 1.0247530060276584, 1.0310653395629263, 1.038957565770816, 1.0488088481701465, 1.061080836307679, 1.0763314170115514, 1.0952288489155435, 1.1185654398160756, 1.1472697006444488, 1.1824158196478314, 1.2252294616222776, 1.2770894034796945, 1.3395253766630146, 1.4142135623730545, 1.5029721926216806, 1.6077603031736196, 1.730682615319356, 1.8740027832181265, 2.040166086417477, 2.231831468891524, 2.4519119756369965, 2.7036222821986744, 2.99053211774123, 3.316624790355215, 3.68636055180989, 4.104745049891547, 4.577403537999059, 5.110661827502642, 5.711635195080283, 6.388326624034235, 7.149735894613227, 8.005981167103203, 8.96843483961487, 10.04987562112024, 11.264658946430675, 12.628908078139231, 14.160728494567662, 15.88044845559861, 17.81088897323198, 19.977666794534418, 22.40953443575305, 25.138761792898762, 28.201564402071295, 31.63858403911055, 35.49542804072076, 39.82327450701274, 44.679551418614366, 50.12869868158581, 56.243023213265424, 63.103658416405615, 70.8016407738692, 79.43911785009331, 89.13070372908327, 100.00499987499889, 112.20630159638924, 125.89651275793454, 141.25729414683593, 158.49247400142386, 177.830752688277, 199.52873741730454, 223.87434726363662, 251.19063367890456, 281.8400671877868, 316.2293471516906, 354.81479842221427, 398.10842649470067, 446.6847115100955, 501.1882312573971, 562.3422143293052, 630.9581369262412, 707.9464906525023, 794.3288641866736, 891.2514991427217, 1000.000499999875, 10000000000000.0, 1.0000000000000001e+23, 1e+33, 1e+43, 1e+53, 1e+63, 1e+73, 1e+83, 1e+93, 1e+103, 1e+113, 1e+123, 1e+133, 1e+143].map((x) => x * length);
+
+const _samples = (theta, b) => {
+  let a;
+  a = radii_beyond(b);
+  return ({ radii: a, end: Infinity });
+};
+
+const XI = {'force': 3.0, 'depth': 1.0};
+
+const least_steepness = (control, E_star, dgamma) => {
+  return (XI[control] * Math.sqrt(((Math.PI * dgamma) / (2.0 * E_star))));
+};
+
+const STEPS = 20;
+
+const CLOSEST = Math.pow(2.0, (-51));
+
+const _change = (above, low, high, before, after, sign) => {
+  let middle, share, stays, step, tried, value;
+  [before, after, stays] = [(sign * before), (sign * after), 0.0];
+  for (step of math.range((STEPS + 64))) {
+    if ((math.nextafter(low, high) >= high)) {
+      break;
+    }
+    share = (((step < STEPS) && (before !== after)) ? (before / (before - after)) : NaN);
+    tried = (low * Math.exp((((0.0 <= share && share <= 1.0) ? share : 0.5) * Math.log((high / low)))));
+    tried = Math.min(Math.max(tried, (low * (1.0 + (CLOSEST * Math.pow(2.0, step))))), (high * (1.0 - (CLOSEST * Math.pow(2.0, step)))));
+    middle = (((step < STEPS) && (low < tried && tried < high)) ? tried : math.halfway(low, high));
+    value = (sign * above(middle));
+    if ((value >= 0.0)) {
+      [before, after] = [((stays > 0.0) ? (0.5 * before) : before), value];
+      [high, stays] = [middle, 1.0];
+    } else {
+      [before, after] = [value, ((stays < 0.0) ? (0.5 * after) : after)];
+      [low, stays] = [middle, (-1.0)];
+    }
+  }
+  return high;
+};
+
+const FAR = 1e+50;
+
+const branches = math.branches(_change, FAR);
+
+const _branches = (theta, b, E_star, dgamma, control) => {
+  return branches(((a) => (Math.sqrt(a) * _rate(a, theta, b))), _samples(theta, b), least_steepness(control, E_star, dgamma));
+};
+
+const XI_of_stable = {'force': 3.0, 'depth': 1.0};
+
+const growth = (slope, a, control, E_star, dgamma) => {
+  let own;
+  own = (slope - ((XI_of_stable[control] * hess_retraction(a, E_star, dgamma)) / (2.0 * a)));
+  return ((control === 'force') ? (((2.0 * E_star) * a) * own) : own);
+};
+
+const Unknown = (of, back, end = Infinity, order = 2.0, unit = 0.0) => math.record({ of, back, end, order, unit });
+
+const radius_itself = () => {
+  return Unknown(((a) => a), ((x) => [x, math.ones_like(x)]));
+};
+
+const SHARP = 0.3;
+
+const _product = (t, first, last) => {
+  return (Math.pow(t, first) * Math.pow((1.0 + (t * t)), ((last - first) / 2.0)));
+};
+
+const power_of = (t, first, last) => {
+  let low, share;
+  if (Boolean((first < SHARP))) {
+    return _product(t, first, last);
+  }
+  share = (first / last);
+  low = Math.pow(math.minimum((t / Math.sqrt(share)), 1.0), first);
+  return (((t * t) < share) ? low : Math.pow((math.maximum(((t * t) - share), 0.0) + 1.0), (last / 2.0)));
+};
+
+const STEPS_of_unknowns = 12;
+
+const SETTLED_of_unknowns = 1e-09;
+
+const _root_of_product = (x, first, last) => {
+  let _, gain, joined, log, missed, near, newton, share, slope, step, t, wanted;
+  [wanted, gain] = [Math.log(x), (last - first)];
+  near = (0.5 * Math.log((Math.expm1(math.minimum(math.maximum(((2.0 * wanted) / last), 0.0), 600.0)) + (first / last))));
+  log = ((wanted < 0.0) ? ((wanted / first) + (0.5 * Math.log((first / last)))) : near);
+  log = ((wanted > (300.0 * last)) ? (wanted / last) : log);
+  for (_ of math.range(STEPS_of_unknowns)) {
+    share = (1.0 / (1.0 + Math.exp(((-2.0) * log))));
+    slope = (first + (gain * share));
+    joined = ((first * log) + (gain * (math.maximum(log, 0.0) + (0.5 * Math.log1p(Math.exp(((-2.0) * Math.abs(log))))))));
+    newton = ((wanted - joined) / slope);
+    step = (newton / math.maximum((1.0 + ((((gain * share) * (1.0 - share)) / slope) * newton)), 0.3));
+    log = (log + (Number.isFinite(step) ? step : 0.0));
+    if ((!Boolean((Math.abs(step) > SETTLED_of_unknowns)))) {
+      break;
+    }
+  }
+  [t, slope] = [Math.exp(log), (first + (gain / (1.0 + Math.exp(((-2.0) * log)))))];
+  missed = ((x / _product(t, first, last)) - 1.0);
+  return [(t * ((Math.abs(missed) < (1e-06 * slope)) ? (1.0 + (missed / slope)) : 1.0)), slope];
+};
+
+const root_of = (x, first, last) => {
+  let share, square, t;
+  if (Boolean((first < SHARP))) {
+    return _root_of_product(x, first, last);
+  }
+  share = (first / last);
+  square = ((x < 1.0) ? share : ((Math.pow(math.maximum(x, 1.0), (2.0 / last)) - 1.0) + share));
+  t = (Math.sqrt(square) * ((x < 1.0) ? Math.pow(math.minimum(x, 1.0), (1.0 / first)) : 1.0));
+  return [t, ((x < 1.0) ? first : ((last * square) / ((square + 1.0) - share)))];
+};
+
+const beyond_edge = (b, first = 1.0, last = 1.0) => {
+  let back, of, plain;
+  plain = ((typeof first === "number") && (first === last && last === 1.0));
+  of = (a) => {
+    let t;
+    t = (difference_root(a, b) / b);
+    return (plain ? t : power_of(t, first, last));
+  };
+  back = (x) => {
+    let a, slope, t;
+    [t, slope] = (plain ? [x, 1.0] : root_of(x, first, last));
+    a = (b * Math.hypot(1.0, t));
+    return [a, ((a * ((t * t) / (1.0 + (t * t)))) / (x * slope))];
+  };
+  return Unknown(of, back, undefined, (3.0 / first), 1.0);
+};
+
+const at_the_end = (load, a) => {
+  return load(a);
+};
+
+const NOISE = 4.440892098500626e-16;
+
+const _branch_of = (value, found, load, pulled) => {
+  let first, fits, high, largest, last, least, low, start, top;
+  low = high = least = largest = math.full(value, NaN);
+  for ([first, last] of math.zip(found.first, found.last)) {
+    start = load(first);
+    top = (Number.isFinite(last) ? at_the_end(load, last) : Infinity);
+    top = (Number.isNaN(top) ? Infinity : top);
+    fits = ((value >= (start - ((2.0 * NOISE) * (Math.abs(start) + pulled(first))))) & (value <= top));
+    [low, high] = [(fits ? first : low), (fits ? last : high)];
+    [least, largest] = [(fits ? start : least), (fits ? top : largest)];
+  }
+  return [low, high, least, largest];
+};
+
+const _divided = (value, low, high, least, top, load, corner) => {
+  let above, below, bend, inside;
+  bend = load((corner + math.zeros_like(low)));
+  inside = ((low < corner) & math.logical_not((high <= corner)));
+  above = (inside & (value > bend));
+  below = (inside & math.logical_not(above));
+  [high, top] = [(below ? corner : high), (below ? bend : top)];
+  [low, least] = [(above ? corner : low), (above ? bend : least)];
+  return [low, high, least, top, (low >= corner)];
+};
+
+const _counted = (low, high, beyond, inner, outer) => {
+  let first, last, of, place, reach;
+  of = (a) => {
+    return ((outer == null) ? inner.of(a) : (beyond ? outer.of((beyond ? a : low)) : inner.of(a)));
+  };
+  first = of(low);
+  last = ((high === Infinity) ? Infinity : of(((high === Infinity) ? low : high)));
+  reach = (last - first);
+  place = (t) => {
+    let a, open_, own, own_rate, rate, share, step, x;
+    open_ = math.logical_not(Number.isFinite(reach));
+    share = (open_ ? 0.0 : (t / reach));
+    x = (first + ((share < Infinity) ? (t / (1.0 + share)) : reach));
+    step = (1.0 / Math.pow((1.0 + share), 2));
+    [a, rate] = inner.back(x);
+    if ((outer != null)) {
+      [own, own_rate] = outer.back((beyond ? x : 1.0));
+      [a, rate] = [(beyond ? own : a), (beyond ? own_rate : rate)];
+    }
+    return [a, (rate * step)];
+  };
+  return [first, reach, ((Number.isFinite(reach) | beyond) ? Infinity : (inner.end - first)), place];
+};
+
+const EPS = 2.220446049250313e-16;
+
+const LOST = 0.3;
+
+const SLACK = 1e-06;
+
+const stable_radius = (value, found, load, slope_of, pulled, inner, outer = null, corner = null) => {
+  let a, beyond, ends, excess, far, first, fixed, high, largest, least, least_short, least_unit, low, noise, order, parts, place, ratio, reach, scale, share, short, slope, start, t, top, unit, wanted;
+  [low, high, least, top] = _branch_of(value, found, load, pulled);
+  if ((!Boolean(Number.isFinite(least)))) {
+    return least;
+  }
+  beyond = math.full(low, ((corner == null) && (outer != null)));
+  if ((corner != null)) {
+    [low, high, least, top, beyond] = _divided(value, low, high, least, top, load, corner);
+  }
+  ends = Number.isFinite(top);
+  if (((outer == null) && Boolean(ends))) {
+    ends = (ends & (slope_of(high) < Infinity));
+  }
+  [first, reach, largest, place] = _counted(low, (ends ? high : Infinity), beyond, inner, outer);
+  fixed = (Math.abs(least) + pulled(low));
+  parts = (fixed + Math.abs(value));
+  least_short = ((4.0 * NOISE) * parts);
+  excess = (t) => {
+    let a, known, lost, more, own, short, slope, step;
+    [a, step] = place(t);
+    own = load(a);
+    [more, short] = [(own - least), (ends ? math.maximum((top - own), least_short) : 1.0)];
+    known = (EPS * (fixed + Math.abs(own)));
+    lost = (more <= known);
+    more = (lost ? known : more);
+    slope = (((t * step) * slope_of(a)) * ((1.0 / more) + (ends ? (1.0 / short) : 0.0)));
+    more = (more / short);
+    slope = ((math.logical_not(ends) & (more < (0.5 * wanted))) ? math.maximum(slope, 0.7) : slope);
+    return [more, (lost ? LOST : slope)];
+  };
+  share = (t) => {
+    let a, step;
+    [a, step] = place(t);
+    return ((t * step) / a);
+  };
+  short = (ends ? math.maximum((top - value), least_short) : 1.0);
+  wanted = ((value < Infinity) ? (math.maximum((value - least), 0.0) / short) : 0.0);
+  far = (ends & (wanted > 1.0));
+  [order, least_unit] = [...['order', 'unit']].map((name) => ((outer == null) ? inner[name] : (beyond ? outer[name] : inner[name])));
+  unit = (far ? reach : math.minimum(math.maximum(first, least_unit), largest));
+  [scale, slope] = excess(unit);
+  ratio = (wanted / scale);
+  start = (unit * Math.pow(ratio, (1.0 / (((ratio > 1.0) & math.logical_not(far)) ? 4.0 : order))));
+  start = ((ends & (slope === LOST)) ? reach : start);
+  noise = ((NOISE * parts) * (ends ? ((1.0 + wanted) / short) : 1.0));
+  t = inverse(excess, wanted, start, [SLACK, Infinity], largest, share, true, noise);
+  a = place(t)[0];
+  return (((value === Infinity) & (high === Infinity)) ? Infinity : (Number.isFinite(least) ? a : NaN));
+};
+
+const _radius_from_depth_of_truncated_cone = (d, theta, b, E_star, dgamma) => {
+  let found, radius, stress, unit;
+  unit = exponent_of(b);
+  stress = exponent_of(E_star);
+  E_star = math.ldexp(E_star, (-stress));
+  b = math.ldexp(b, (-unit));
+  dgamma = math.ldexp(dgamma, (-(stress + unit)));
+  d = math.ldexp(d, (-unit));
+  found = _branches(theta, b, E_star, dgamma, 'depth');
+  radius = stable_radius(d, found, ((a) => _depth_2(a, theta, b, E_star, dgamma)), ((a) => growth(_rate(a, theta, b), a, 'depth', E_star, dgamma)), ((a) => hess_retraction(a, E_star, dgamma)), radius_itself(), beyond_edge(b));
+  return math.ldexp(radius, unit);
+};
+
+const radius_from_depth_of_truncated_cone = (d, theta, b, E_star, dgamma) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return _radius_from_depth_of_truncated_cone(d, theta, b, E_star, dgamma);
+};
+
+const pull = (a, E_star, dgamma) => {
+  return (((2.0 * E_star) * a) * (math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star))));
+};
+
+const _radius_from_force_of_truncated_cone = (F, theta, b, E_star, dgamma) => {
+  let found, radius, stress, unit;
+  unit = exponent_of(b);
+  stress = exponent_of(E_star);
+  E_star = math.ldexp(E_star, (-stress));
+  b = math.ldexp(b, (-unit));
+  dgamma = math.ldexp(dgamma, (-(stress + unit)));
+  F = math.ldexp(F, (-(stress + (2 * unit))));
+  found = _branches(theta, b, E_star, dgamma, 'force');
+  radius = stable_radius(F, found, ((a) => _force_2(a, theta, b, E_star, dgamma)), ((a) => growth(_rate(a, theta, b), a, 'force', E_star, dgamma)), ((a) => pull(a, E_star, dgamma)), radius_itself(), beyond_edge(b));
+  return math.ldexp(radius, unit);
+};
+
+const radius_from_force_of_truncated_cone = (F, theta, b, E_star, dgamma) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return _radius_from_force_of_truncated_cone(F, theta, b, E_star, dgamma);
+};
+
+const _pull_off_radius = (theta, b, E_star, dgamma, control) => {
+  let found, load, radius, stress, unit;
+  unit = exponent_of(b);
+  stress = exponent_of(E_star);
+  E_star = math.ldexp(E_star, (-stress));
+  b = math.ldexp(b, (-unit));
+  dgamma = math.ldexp(dgamma, (-(stress + unit)));
+  found = _branches(theta, b, E_star, dgamma, control);
+  load = ((control === 'force') ? _force_2 : _depth_2);
+  radius = math.lowest(found, ((a) => load(a, theta, b, E_star, dgamma)));
+  return math.ldexp(radius, unit);
+};
+
+const PullOff = (radius, force, depth) => math.record({ radius, force, depth });
+
+const pull_off = (control = 'force', theta, b, E_star, dgamma) => {
+  let depth, force, radius;
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  radius = _pull_off_radius(theta, b, E_star, dgamma, control);
+  force = ((radius >= 0.0) ? _force_2(radius, theta, b, E_star, dgamma) : NaN);
+  depth = ((radius >= 0.0) ? _depth_2(radius, theta, b, E_star, dgamma) : NaN);
+  return PullOff(radius, force, depth);
+};
+
 const RULE_0_3 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
 const CLOSE = 0.25;
@@ -1435,6 +1835,995 @@ const full_slip_displacement = (a, theta, b, E_star, G_star, mu) => {
   return ((a >= 0.0) ? _full_slip_displacement(a, theta, b, E_star, G_star, mu) : NaN);
 };
 
+const raised = (x, k) => {
+  if ((x > 0.0)) {
+    return (x * Math.pow(x, k));
+  }
+  return 0.0;
+};
+
+const sine_over = (y) => {
+  let v2;
+  v2 = (y > 0.0);
+  if (v2) {
+    return (Math.sin(y) / (v2 ? y : 1.0));
+  }
+  return 1.0;
+};
+
+const NODES = 64;
+
+const weighted = (smooth, stop, power, count = NODES, above = null) => {
+  let end, pairs;
+  if ((power >= (-0.25))) {
+    return math.fsum([...math.products(power, count, false)].map(([node, weight]) => (weight * smooth((node * stop)))));
+  }
+  above = ((above == null) ? (1.0 + power) : above);
+  end = smooth(0.0);
+  pairs = math.products(above, count, true);
+  return ((end / above) + math.fsum([...pairs].map(([node, weight]) => (weight * (smooth((node * stop)) - end)))));
+};
+
+const sine_mean = (angle, k) => {
+  return weighted(((y) => Math.pow(sine_over(y), k)), angle, k, 24);
+};
+
+const sine_integral = (angle, k) => {
+  return (raised(angle, k) * sine_mean(angle, k));
+};
+
+const flank_depth = (a, root, b, k) => {
+  return (a * sine_integral(Math.atan2(root, b), k));
+};
+
+const _depth_at_2 = (a, root, theta, b, k) => {
+  return (flank_depth(a, root, b, k) * Math.tan(theta));
+};
+
+const _depth_3 = (a, theta, b, k) => {
+  return ((a >= b) ? _depth_at_2(a, difference_root(a, b), theta, b, k) : NaN);
+};
+
+const depth_2 = (a, theta, b, k) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _depth_3(a, theta, b, k) : NaN);
+};
+
+const flank_force = (a, root, b, k) => {
+  let sides, within;
+  within = math.maximum(a, b);
+  sides = ((raised((root / within), k) * (b / within)) + sine_integral(Math.atan2(root, b), k));
+  return (((a * raised(a, k)) * sides) / (2.0 + k));
+};
+
+const _force_at_2 = (a, root, theta, b, H, k) => {
+  let growth;
+  growth = (flank_force(a, root, b, k) * Math.tan(theta));
+  return (((2.0 * H) / (1.0 + k)) * growth);
+};
+
+const _force_3 = (a, theta, b, H, k) => {
+  return ((a >= b) ? _force_at_2(a, difference_root(a, b), theta, b, H, k) : NaN);
+};
+
+const force_2 = (a, theta, b, H, k) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _force_3(a, theta, b, H, k) : NaN);
+};
+
+const _tame = (t, root, k) => {
+  return Math.pow((root / t), (1.0 - k));
+};
+
+const _branches_of_pressure = (r, a, b, power, near, far) => {
+  let least, reach, within;
+  within = (near < 0.0);
+  reach = math.where(within, Math.sqrt((math.maximum(far, 0.0) * (a + b))), difference_root(a, r));
+  least = (math.minimum(b, reach) * Math.exp(((-37.0) / math.minimum(math.maximum(power, 0.107), 2.0))));
+  return [within, math.where((near === 0.0), least, Math.sqrt((Math.abs(near) * (r + b)))), reach];
+};
+
+const _PANEL = 3.0;
+
+const _panel = (scale, reach, longest) => {
+  let first, whole;
+  whole = Math.asinh((reach / scale));
+  first = math.minimum(whole, longest);
+  return [first, math.where((first < whole), (scale * Math.sinh(first)), reach)];
+};
+
+const sinh_over = (v) => {
+  let v2;
+  v2 = (v > 0.0);
+  if (v2) {
+    return (Math.sinh(v) / (v2 ? v : 1.0));
+  }
+  return 1.0;
+};
+
+const STRIPS_of_rules = [[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]];
+
+const nodes_for = (length) => {
+  let count, longest, reached;
+  longest = Number(math.maximum(length));
+  for ([reached, count] of STRIPS_of_rules.slice(0, 2)) {
+    if ((longest <= reached)) {
+      return (2 * count);
+    }
+  }
+  return NODES;
+};
+
+const growth_far = (integrand, start, reach, scale) => {
+  let along, half, long, rising;
+  long = (reach > start);
+  if ((!Boolean(long))) {
+    return math.zeros_like(start);
+  }
+  half = math.where(long, Math.log((Math.sqrt(reach) / Math.sqrt(math.where(long, start, 1.0)))), 0.0);
+  along = (y) => {
+    let far;
+    far = Math.hypot(scale, y);
+    return (integrand(y, far) * (y / far));
+  };
+  rising = math.integral_in_strip(((x) => along((start * Math.exp(x)))), half);
+  return (rising + math.integral_in_strip(((x) => along((reach * Math.exp((-x))))), half));
+};
+
+const _from_branch = (smooth, scale, reach, k, above = null) => {
+  let first, near, rest, start, weighed;
+  [first, start] = _panel(scale, reach, _PANEL);
+  weighed = (v) => {
+    return (smooth((scale * Math.sinh(v)), (scale * Math.cosh(v))) * Math.pow(sinh_over(v), k));
+  };
+  near = weighted(weighed, first, k, nodes_for(first), above);
+  rest = growth_far(((y, far) => (Math.pow(y, k) * smooth(y, far))), start, reach, scale);
+  return ((Math.pow(scale, k) * (raised(first, k) * near)) + rest);
+};
+
+const _NEAREST = 1e-09;
+
+const growth_from_break = (slope, reach, b, k, order) => {
+  let above, smooth;
+  above = math.where((((2.0 * k) + order) > 0.0), ((2.0 * k) + order), 1.0);
+  smooth = (near, far) => {
+    let root;
+    root = math.maximum(near, (_NEAREST * b));
+    return ((slope(far, root) * Math.pow(far, (1.0 - k))) / Math.pow(root, order));
+  };
+  return _from_branch(smooth, b, reach, (above - 1.0), above);
+};
+
+const growth_beyond_of_pressure = (slope, r, a, b, k, order = 0.0) => {
+  let at, reach, scale, smooth, value, within;
+  [within, scale, reach] = _branches_of_pressure(r, a, b, (order + (2.0 * k)), (r - b), (a - b));
+  smooth = (near, far) => {
+    let root, t;
+    root = math.where(within, near, far);
+    t = Math.hypot(b, root);
+    return (slope(t, root) * Math.pow((far / t), k));
+  };
+  value = math.where((reach > 0.0), _from_branch(smooth, scale, reach, k), 0.0);
+  at = ((r === b) & (reach > 0.0));
+  return (Boolean(at) ? math.where(at, growth_from_break(slope, math.where(at, reach, b), b, k, order), value) : value);
+};
+
+const _cornered = (value, r, a, b, k) => {
+  return math.where((((r === b) & (a > b)) & (k <= 0.0)), Infinity, value);
+};
+
+const flank_pressure = (r, a, b, k) => {
+  let slope;
+  slope = (t, root) => {
+    return ((_tame(t, root, k) * sine_integral(Math.atan2(root, b), k)) + (b / t));
+  };
+  return _cornered(growth_beyond_of_pressure(slope, r, a, b, k), r, a, b, k);
+};
+
+const _pressure_4 = (r, a, theta, b, H, k) => {
+  let growth, inside;
+  inside = math.minimum(r, a);
+  growth = (flank_pressure(inside, a, b, k) * Math.tan(theta));
+  return math.where((a >= b), math.where((r < a), ((H / Math.PI) * growth), 0.0), NaN);
+};
+
+const pressure_2 = (r, a, theta, b, H, k) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure_4(r, a, theta, b, H, k) : 0.0) : NaN);
+};
+
+const _Break = (b, root, more, end = Infinity) => math.record({ b, root, more, end });
+
+const _break_at = (r, a, b) => {
+  return _Break(b, difference_root(a, b), ((b - r) * (b + r)));
+};
+
+const punch_scale = (k) => {
+  return (0.6366197723675814 * Math.sin((1.5707963267948966 * (1.0 - Math.abs(k)))));
+};
+
+const EDGE = [[3.0, 32], [11.0, 64]];
+
+const NODES_of_displacement = 64;
+
+const from_edge = (shape, a, q, c, stop, k, steep = false) => {
+  let count, first, half, length, longest, ratio, second, smooth;
+  ratio = (c / q);
+  smooth = (v, sinh) => {
+    let z;
+    z = (c * sinh);
+    return ((shape(difference_root(a, z), z) * Math.cosh(v)) / (1.0 + Math.pow((ratio * sinh), 2)));
+  };
+  first = (v) => {
+    let sinh;
+    sinh = Math.sinh(v);
+    return (smooth(v, sinh) * Math.pow(((v > 0.0) ? (sinh / ((v > 0.0) ? v : 1.0)) : 1.0), k));
+  };
+  second = (v) => {
+    let sinh;
+    sinh = Math.sinh((half + v));
+    return (smooth((half + v), sinh) * Math.pow(sinh, k));
+  };
+  longest = (steep ? Infinity : Number(math.maximum((Number.isFinite(stop) ? stop : 0.0))));
+  for ([length, count] of EDGE) {
+    if ((longest <= length)) {
+      return ((raised(ratio, k) * raised(stop, k)) * weighted(first, stop, k, count));
+    }
+  }
+  half = (stop / 2.0);
+  return (raised(ratio, k) * ((raised(half, k) * weighted(first, half, k)) + math.integral(second, half, NODES_of_displacement)));
+};
+
+const punch_share = (r, a, k) => {
+  let q, stop;
+  q = difference_root(r, a);
+  stop = Math.asinh((a / q));
+  return (punch_scale(k) * from_edge(((s, z) => math.ones_like(z)), a, q, q, stop, k));
+};
+
+const _Gap = (outside, q, even, grown) => math.record({ outside, q, even, grown });
+
+const _gap_of_displacement = (r, a, k) => {
+  let even, outside, q, share;
+  outside = (r > a);
+  q = (outside ? difference_root(math.maximum(r, a), a) : a);
+  share = ((1.0 - k) * (outside ? punch_share(r, a, k) : 1.0));
+  even = ((share > 0.0) ? (share * raised((q / a), k)) : 0.0);
+  return _Gap(outside, q, even, ((outside ? punch_scale(k) : 0.0) + (share * raised((a / q), (-k)))));
+};
+
+const _weighed = (gap, shape, a) => {
+  return ((s, z) => (shape(s, z) * ((gap.grown * Math.pow((z / a), 2)) + gap.even)));
+};
+
+const SPLIT = 0.5235987755982988;
+
+const over_angle = (shape, a, q, stop, k) => {
+  let low, smooth;
+  low = ((a * Math.cos(stop)) + math.zeros_like(q));
+  smooth = (x) => {
+    let s, z;
+    s = (low + x);
+    z = difference_root(a, s);
+    return ((((shape(s, z) * (s / z)) * Math.pow((z / q), k)) / (1.0 + Math.pow((z / q), 2))) / q);
+  };
+  return math.integral(smooth, ((a * Math.cos(SPLIT)) - low), 32);
+};
+
+const over_cap = (shape, q, root, b, k, end = Infinity) => {
+  let along, from_low, from_top, half, low, top;
+  low = math.minimum(root, end);
+  [top, half] = [Math.hypot(low, b), ((Math.log1p(Math.pow((b / low), 2)) / 4.0) + math.zeros_like(q))];
+  along = (near, risen) => {
+    let more, z;
+    more = (risen * (near + low));
+    z = Math.sqrt(((root * root) + more));
+    return ((((shape(more, z) * (near / z)) * (near / q)) * Math.pow((z / q), k)) / (1.0 + Math.pow((z / q), 2)));
+  };
+  from_low = (x) => {
+    return along((low * Math.exp(x)), (low * Math.expm1(x)));
+  };
+  from_top = (x) => {
+    let near;
+    near = (top * Math.exp((-x)));
+    return along(near, ((near > (2.0 * low)) ? (near - low) : ((b * (b / (top + low))) + (top * Math.expm1((-x))))));
+  };
+  return (math.integral_in_strip(from_low, half) + math.integral_in_strip(from_top, half));
+};
+
+const _fall = (shape, r, a) => {
+  let root;
+  root = difference_root(a, r);
+  return (shape(r, root) * Math.pow((root / a), 2));
+};
+
+const _joined_of_displacement = (gap, a, value, fall) => {
+  return ((a > 0.0) ? (gap.outside ? value : (value + fall)) : 0.0);
+};
+
+const _broken = (beyond, within, r, a, k, at) => {
+  let fall, gap, near, own, tip, value;
+  gap = _gap_of_displacement(r, a, k);
+  own = _weighed(gap, beyond, a);
+  near = from_edge(own, a, gap.q, gap.q, Math.asinh((math.minimum(at.root, (a / 2.0)) / gap.q)), k);
+  value = (near + over_angle(own, a, gap.q, math.maximum(Math.atan2(at.root, at.b), SPLIT), k));
+  tip = _weighed(gap, ((more, z) => (within(more) / Math.pow((z / a), 2))), a);
+  value = (value + over_cap(tip, gap.q, at.root, at.b, k, at.end));
+  fall = ((at.more < 0.0) ? _fall(beyond, r, a) : within(math.maximum(at.more, 0.0)));
+  return ((a > at.b) ? _joined_of_displacement(gap, a, value, fall) : 0.0);
+};
+
+const flank_displacement = (r, a, b, k) => {
+  let at;
+  at = _break_at(r, a, b);
+  return _broken(((s, z) => (a * (a / (a + s)))), ((_) => (at.root * (at.root / (a + b)))), r, a, k, at);
+};
+
+const _displacement_4 = (r, a, theta, b, k) => {
+  return (flank_displacement(r, a, b, k) * Math.tan(theta));
+};
+
+const displacement_2 = (r, a, theta, b, k) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_4(r, a, theta, b, k) : 0.0) : NaN);
+};
+
+const punch_stiffness = (a, H, k) => {
+  return (((2.0 * H) / (1.0 + k)) * ((a > 0.0) ? (a * Math.pow(a, k)) : 0.0));
+};
+
+const _stiffness_3 = (a, H, k) => {
+  return punch_stiffness(a, H, k);
+};
+
+const _stiffness_2 = (a, H, k, theta = 0.7853981633974483, b = 1.0) => {
+  if (((a > 1e-30) && (a < 1e+30) && (H > 1e-30) && (H < 1e+30) && (k > 1e-30) && (k < 1.0) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (b <= a))) {
+    return (((2.0 * H) / (1.0 + k)) * ((a > 0.0) ? (a * Math.pow(a, k)) : 0.0));
+  }
+  return _stiffness_3(a, H, k);
+};
+
+const stiffness_of_truncated_cone = (a, theta, b, H, k) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _stiffness_2(a, H, k) : NaN);
+};
+
+const _mean_pressure_2 = (a, theta, b, H, k) => {
+  return (_force_3(a, theta, b, H, k) / ((Math.PI * a) * a));
+};
+
+const mean_pressure_of_truncated_cone = (a, theta, b, H, k) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _mean_pressure_2(a, theta, b, H, k) : NaN);
+};
+
+const flank_rate = (t, root, b, k) => {
+  return ((t < b) ? 0.0 : (sine_integral(Math.atan2(root, b), k) + ((b / t) * Math.pow((root / t), (k - 1.0)))));
+};
+
+const _rate_at = (a, root, theta, b, k) => {
+  return (flank_rate(a, root, b, k) * Math.tan(theta));
+};
+
+const SLACK_of_inverse = 1e-06;
+
+const contact_beyond = (load, rate, value, b, needs, exponents) => {
+  let curve, first, last, unit, unknown, x;
+  [first, last] = exponents;
+  value = (value + math.zeros(1));
+  unknown = beyond_edge(b, first, last);
+  curve = (x) => {
+    let a, own, root, slope, t;
+    [t, slope] = root_of(x, first, last);
+    [a, root] = [Math.hypot(b, (b * t)), (b * t)];
+    own = load(a, root, ...needs);
+    return [own, ((((root * (root / a)) * rate(a, root, ...needs)) / own) / slope)];
+  };
+  unit = (unknown.of((b * Math.sqrt(2.0))) * math.ones_like(value));
+  x = inverse(curve, value, (unit * (value / curve(unit)[0])), [SLACK_of_inverse, Infinity], undefined, undefined, true);
+  return [unknown.back(x)[0], (b * root_of(x, first, last)[0])];
+};
+
+const _contact_from_depth_of_truncated_cone = (d, theta, b, k) => {
+  return contact_beyond(_depth_at_2, _rate_at, d, b, [theta, b, k], [(1.0 + k), 1.0]);
+};
+
+const _radius_from_depth_2 = (d, theta, b, k) => {
+  return _contact_from_depth_of_truncated_cone(d, theta, b, k)[0];
+};
+
+const radius_from_depth_2 = (d, theta, b, k) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return ((d >= 0.0) ? _radius_from_depth_2(d, theta, b, k) : NaN);
+};
+
+const _force_rate_at = (a, root, theta, b, H, k) => {
+  return (punch_stiffness(a, H, k) * _rate_at(a, root, theta, b, k));
+};
+
+const _contact_from_force_of_truncated_cone = (F, theta, b, H, k) => {
+  return contact_beyond(_force_at_2, _force_rate_at, F, b, [theta, b, H, k], [(1.0 + k), (2.0 + k)]);
+};
+
+const _radius_from_force_2 = (F, theta, b, H, k) => {
+  return _contact_from_force_of_truncated_cone(F, theta, b, H, k)[0];
+};
+
+const radius_from_force_2 = (F, theta, b, H, k) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return ((F >= 0.0) ? _radius_from_force_2(F, theta, b, H, k) : NaN);
+};
+
+const punch_force = (d, a, H, k) => {
+  let v14;
+  v14 = (((2.0 * H) / (1.0 + k)) * ((a > 0.0) ? (a * Math.pow(a, k)) : 0.0));
+  if (((v14 > 0.0) && (v14 < Infinity))) {
+    return (v14 * d);
+  }
+  return 0.0;
+};
+
+const _force_from_depth_of_truncated_cone = (d, theta, b, H, k) => {
+  let a, root;
+  [a, root] = _contact_from_depth_of_truncated_cone(d, theta, b, k);
+  return (_force_at_2(a, root, theta, b, H, k) + punch_force((d - _depth_at_2(a, root, theta, b, k)), a, H, k));
+};
+
+const force_from_depth_of_truncated_cone = (d, theta, b, H, k) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return ((d >= 0.0) ? _force_from_depth_of_truncated_cone(d, theta, b, H, k) : NaN);
+};
+
+const punch_depth = (F, a, H, k) => {
+  let v14;
+  v14 = (((2.0 * H) / (1.0 + k)) * ((a > 0.0) ? (a * Math.pow(a, k)) : 0.0));
+  if (((v14 > 0.0) && (v14 < Infinity))) {
+    return (F / v14);
+  }
+  return 0.0;
+};
+
+const _depth_from_force_of_truncated_cone = (F, theta, b, H, k) => {
+  let a, root;
+  [a, root] = _contact_from_force_of_truncated_cone(F, theta, b, H, k);
+  return (_depth_at_2(a, root, theta, b, k) + punch_depth((F - _force_at_2(a, root, theta, b, H, k)), a, H, k));
+};
+
+const depth_from_force_of_truncated_cone = (F, theta, b, H, k) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0)))) {
+    return NaN;
+  }
+  return ((F >= 0.0) ? _depth_from_force_of_truncated_cone(F, theta, b, H, k) : NaN);
+};
+
+const graded_retraction = (a, H, k, dgamma) => {
+  if ((a > 0.0)) {
+    return ((math.sqrt(((6.283185307179586 * dgamma) / H)) * math.sqrt(a)) * math.sqrt(Math.pow(a, (-k))));
+  }
+  return 0.0;
+};
+
+const retraction_of_truncated_cone = (a, H, k, dgamma) => {
+  if ((!((0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? graded_retraction(a, H, k, dgamma) : NaN);
+};
+
+const _depth_4 = (a, theta, b, H, k, dgamma) => {
+  return (_depth_3(a, theta, b, k) - graded_retraction(a, H, k, dgamma));
+};
+
+const depth_3 = (a, theta, b, H, k, dgamma) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _depth_4(a, theta, b, H, k, dgamma) : NaN);
+};
+
+const _force_4 = (a, theta, b, H, k, dgamma) => {
+  return (_force_3(a, theta, b, H, k) - (punch_stiffness(a, H, k) * graded_retraction(a, H, k, dgamma)));
+};
+
+const force_3 = (a, theta, b, H, k, dgamma) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _force_4(a, theta, b, H, k, dgamma) : NaN);
+};
+
+const tension_of_punch = (r, a, H, k, dgamma) => {
+  let v17, v19, v23, v33;
+  v17 = ((a > 0.0) ? ((math.sqrt(((6.283185307179586 * dgamma) / H)) * math.sqrt(a)) * math.sqrt(Math.pow(a, (-k)))) : 0.0);
+  if ((v17 > 0.0)) {
+    if ((r < a)) {
+      v19 = (a - r);
+      v23 = math.sqrt(((((v19 > 0.0) || (v19 !== v19)) ? v19 : 0.0) * (a + r)));
+      v33 = (((H / 3.141592653589793) * Math.pow(v23, k)) / v23);
+    } else {
+      v33 = ((r > a) ? 0.0 : Infinity);
+    }
+    return (v17 * v33);
+  }
+  return 0.0;
+};
+
+const _pressure_5 = (r, a, theta, b, H, k, dgamma) => {
+  return (_pressure_4(r, a, theta, b, H, k) - tension_of_punch(r, a, H, k, dgamma));
+};
+
+const pressure_3 = (r, a, theta, b, H, k, dgamma) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure_5(r, a, theta, b, H, k, dgamma) : 0.0) : NaN);
+};
+
+const punch_displacement = (r, a, k) => {
+  return ((r > a) ? punch_share(r, a, k) : 1.0);
+};
+
+const _displacement_5 = (r, a, theta, b, H, k, dgamma) => {
+  return (_displacement_4(r, a, theta, b, k) - (graded_retraction(a, H, k, dgamma) * punch_displacement(r, a, k)));
+};
+
+const displacement_3 = (r, a, theta, b, H, k, dgamma) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_5(r, a, theta, b, H, k, dgamma) : 0.0) : NaN);
+};
+
+const halves = (x) => {
+  let v2, v4;
+  v2 = (134217729.0 * x);
+  v4 = (v2 - (v2 - x));
+  return [v4, (x - v4)];
+};
+
+const stress_at = (unit, H, k) => {
+  let exponent, high, low, mantissa, whole;
+  [mantissa, exponent] = math.frexp(H);
+  [high, low] = halves(k);
+  whole = Math.floor(((unit * high) + 0.5));
+  return [(exponent + exponent_of(math.exp2(whole))), (mantissa * math.exp2((((unit * high) - whole) + (unit * low))))];
+};
+
+const _rate_of_truncated_cone = (a, theta, b, k) => {
+  return ((a >= b) ? _rate_at(a, difference_root(a, b), theta, b, k) : NaN);
+};
+
+const _samples_of_truncated_cone = (theta, b, k) => {
+  let a;
+  a = radii_beyond(b);
+  return ({ radii: a, end: Infinity });
+};
+
+const STATIONARY = {'force': [3.0, 1.0], 'depth': [1.0, (-1.0)]};
+
+const stationary = (control, k) => {
+  let constant, slope;
+  [constant, slope] = STATIONARY[control];
+  return (constant + (slope * k));
+};
+
+const least_steepness_of_punch = (control, H, k, dgamma) => {
+  return (stationary(control, k) * Math.sqrt(((Math.PI * dgamma) / (2.0 * H))));
+};
+
+const _branches_of_truncated_cone = (theta, b, H, k, dgamma, control) => {
+  return branches(((a) => (Math.pow(a, ((1.0 + k) / 2.0)) * _rate_of_truncated_cone(a, theta, b, k))), _samples_of_truncated_cone(theta, b, k), least_steepness_of_punch(control, H, k, dgamma));
+};
+
+const growth_of = (rate, geometry, H, k, dgamma, control) => {
+  let growth;
+  growth = (a) => {
+    let slope;
+    slope = (rate(a, ...geometry) - ((stationary(control, k) * graded_retraction(a, H, k, dgamma)) / (2.0 * a)));
+    return ((control === 'force') ? (slope * punch_stiffness(a, H, k)) : slope);
+  };
+  return growth;
+};
+
+const pull_of = (H, k, dgamma, control) => {
+  let pulled;
+  pulled = (a) => {
+    let moved;
+    moved = graded_retraction(a, H, k, dgamma);
+    return ((control === 'force') ? (moved * punch_stiffness(a, H, k)) : moved);
+  };
+  return pulled;
+};
+
+const _radius_from_depth_3 = (d, theta, b, H, k, dgamma) => {
+  let found, pulled, radius, slope, stress, unit;
+  unit = exponent_of(b);
+  [stress, H] = stress_at(unit, H, k);
+  b = math.ldexp(b, (-unit));
+  dgamma = math.ldexp(dgamma, (-(stress + unit)));
+  d = math.ldexp(d, (-unit));
+  found = _branches_of_truncated_cone(theta, b, H, k, dgamma, 'depth');
+  slope = growth_of(_rate_of_truncated_cone, [theta, b, k], H, k, dgamma, 'depth');
+  pulled = pull_of(H, k, dgamma, 'depth');
+  radius = stable_radius(d, found, ((a) => _depth_4(a, theta, b, H, k, dgamma)), slope, pulled, radius_itself(), beyond_edge(b, (1.0 + k)));
+  return math.ldexp(radius, unit);
+};
+
+const radius_from_depth_3 = (d, theta, b, H, k, dgamma) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return _radius_from_depth_3(d, theta, b, H, k, dgamma);
+};
+
+const _radius_from_force_3 = (F, theta, b, H, k, dgamma) => {
+  let found, pulled, radius, slope, stress, unit;
+  unit = exponent_of(b);
+  [stress, H] = stress_at(unit, H, k);
+  b = math.ldexp(b, (-unit));
+  dgamma = math.ldexp(dgamma, (-(stress + unit)));
+  F = math.ldexp(F, (-(stress + (2 * unit))));
+  found = _branches_of_truncated_cone(theta, b, H, k, dgamma, 'force');
+  slope = growth_of(_rate_of_truncated_cone, [theta, b, k], H, k, dgamma, 'force');
+  pulled = pull_of(H, k, dgamma, 'force');
+  radius = stable_radius(F, found, ((a) => _force_4(a, theta, b, H, k, dgamma)), slope, pulled, radius_itself(), beyond_edge(b, (1.0 + k)));
+  return math.ldexp(radius, unit);
+};
+
+const radius_from_force_3 = (F, theta, b, H, k, dgamma) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return _radius_from_force_3(F, theta, b, H, k, dgamma);
+};
+
+const _pull_off_radius_of_truncated_cone = (theta, b, H, k, dgamma, control) => {
+  let found, load, radius, stress, unit;
+  unit = exponent_of(b);
+  [stress, H] = stress_at(unit, H, k);
+  b = math.ldexp(b, (-unit));
+  dgamma = math.ldexp(dgamma, (-(stress + unit)));
+  found = _branches_of_truncated_cone(theta, b, H, k, dgamma, control);
+  load = ((control === 'force') ? _force_4 : _depth_4);
+  radius = math.lowest(found, ((a) => load(a, theta, b, H, k, dgamma)));
+  return math.ldexp(radius, unit);
+};
+
+const pull_off_of_truncated_cone = (control = 'force', theta, b, H, k, dgamma) => {
+  let depth, force, radius;
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  radius = _pull_off_radius_of_truncated_cone(theta, b, H, k, dgamma, control);
+  force = ((radius >= 0.0) ? _force_4(radius, theta, b, H, k, dgamma) : NaN);
+  depth = ((radius >= 0.0) ? _depth_4(radius, theta, b, H, k, dgamma) : NaN);
+  return PullOff(radius, force, depth);
+};
+
+const CLOSE_of_slip = 0.25;
+
+const _close = (m, c, a) => {
+  let inner;
+  inner = difference_root(c, m);
+  return ((inner > 0.0) & (inner >= (CLOSE_of_slip * difference_root(a, m))));
+};
+
+const _weight = (quantity, t, y, k) => {
+  if ((quantity === 'depth')) {
+    return 1.0;
+  }
+  return ((quantity === 'force') ? (t * Math.pow(t, k)) : (Math.pow(y, k) / y));
+};
+
+const _span = (c, a, distance) => {
+  if ((a > c)) {
+    return (0.5 * math.log1p((((a - c) / distance) * ((a + c) / distance))));
+  }
+  return 0.0;
+};
+
+const _grown = (quantity, rate, r, c, a, b, k, close) => {
+  let branch, holds, integrand, start;
+  branch = math.maximum(r, b);
+  start = difference_root(c, branch);
+  integrand = (w) => {
+    let distance, root, t, y;
+    distance = (start * Math.exp(w));
+    [t, root, y] = [...[0.0, b, r]].map((x) => Math.sqrt((((branch - x) * (branch + x)) + (distance * distance))));
+    return (((rate(t, root) * _weight(quantity, t, y, k)) * distance) * (distance / t));
+  };
+  holds = (close & (start > 0.0));
+  return (holds ? math.integral_in_strip(integrand, (holds ? _span(c, a, start) : 0.0)) : 0.0);
+};
+
+const _difference = (quantity, whole, lengths, b, r, c, a, k) => {
+  if ((quantity === 'pressure')) {
+    return (whole(r, a, ...lengths, k) - whole(r, c, ...lengths, k));
+  }
+  return (whole(a, difference_root(a, b), ...lengths, k) - whole(c, difference_root(c, b), ...lengths, k));
+};
+
+const either = (condition, x, y) => {
+  if (Boolean(condition)) {
+    return x();
+  }
+  return (Boolean(condition) ? (condition ? x() : y()) : y());
+};
+
+const beyond_gain = (quantity, whole, rate, lengths, r, c, a, k) => {
+  let b, close;
+  [b] = lengths;
+  close = _close(math.maximum(r, b), c, a);
+  return either(close, (() => _grown(quantity, ((t, root) => rate(t, root, ...lengths, k)), r, c, a, b, k, close)), (() => _difference(quantity, whole, lengths, b, r, c, a, k)));
+};
+
+const _tangential_force_2 = (a, c, theta, b, H, k, mu) => {
+  let gain;
+  gain = (beyond_gain('force', flank_force, flank_rate, [b], 0.0, c, a, k) * Math.tan(theta));
+  return math.where((c >= b), ((mu * ((2.0 * H) / (1.0 + k))) * gain), NaN);
+};
+
+const tangential_force_of_truncated_cone = (a, c, theta, b, H, k, mu) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  if ((!(!(c > a)))) {
+    return NaN;
+  }
+  return (((a >= 0.0) && (c >= 0.0)) ? _tangential_force_2(a, c, theta, b, H, k, mu) : NaN);
+};
+
+const _traction_2 = (r, a, c, theta, b, H, k, mu) => {
+  let gain;
+  gain = () => {
+    let inside;
+    inside = math.minimum(r, c);
+    return (beyond_gain('pressure', flank_pressure, flank_rate, [b], inside, c, a, k) * Math.tan(theta));
+  };
+  return math.where((c >= b), (mu * either((r < c), (() => ((H / Math.PI) * gain())), (() => _pressure_4(r, a, theta, b, H, k)))), NaN);
+};
+
+const traction_of_truncated_cone = (r, a, c, theta, b, H, k, mu) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  if ((!(!(c > a)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0) && (c >= 0.0)) ? ((r < Infinity) ? _traction_2(r, a, c, theta, b, H, k, mu) : 0.0) : NaN);
+};
+
+const _tangential_displacement_2 = (a, c, theta, b, H, H_x, k, mu) => {
+  let gain;
+  gain = (beyond_gain('depth', flank_depth, flank_rate, [b], 0.0, c, a, k) * Math.tan(theta));
+  return math.where((c >= b), ((mu * (H / H_x)) * gain), NaN);
+};
+
+const tangential_displacement_of_truncated_cone = (a, c, theta, b, H, H_x, k, mu) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < H && H < Infinity) && (0.0 < H_x && H_x < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  if ((!(!(c > a)))) {
+    return NaN;
+  }
+  return (((a >= 0.0) && (c >= 0.0)) ? _tangential_displacement_2(a, c, theta, b, H, H_x, k, mu) : NaN);
+};
+
+const _stick_radius_of_truncated_cone = (F_x, a, theta, b, H, k, mu) => {
+  let F;
+  F = stick_force(_force_3(a, theta, b, H, k), F_x, mu);
+  return (((F_x === 0.0) & (a >= 0.0)) ? a : _radius_from_force_2(F, theta, b, H, k));
+};
+
+const stick_radius_of_truncated_cone = (F_x, a, theta, b, H, k, mu) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return (((F_x >= 0.0) && (a >= 0.0)) ? _stick_radius_of_truncated_cone(F_x, a, theta, b, H, k, mu) : NaN);
+};
+
+const _full_slip_displacement_2 = (a, theta, b, H, H_x, k, mu) => {
+  return ((mu * (H / H_x)) * _depth_3(a, theta, b, k));
+};
+
+const full_slip_displacement_of_truncated_cone = (a, theta, b, H, H_x, k, mu) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < H && H < Infinity) && (0.0 < H_x && H_x < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _full_slip_displacement_2(a, theta, b, H, H_x, k, mu) : NaN);
+};
+
+const relaxation_maxwell = (t, E, tau) => {
+  return (E * Math.exp(((-t) / tau)));
+};
+
+const _step_force_maxwell = (t, d, theta, b, E, tau) => {
+  return (relaxation_maxwell(t, E, tau) * _force_from_depth(d, theta, b, 1.0));
+};
+
+const step_force_maxwell = (t, d, theta, b, E, tau) => {
+  if ((!((0.0 <= d && d < Infinity) && (0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E && E < Infinity) && (0.0 < tau && tau < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_force_maxwell(t, d, theta, b, E, tau) : NaN);
+};
+
+const creep_maxwell = (t, E, tau) => {
+  return ((1.0 + (t / tau)) / E);
+};
+
+const _step_load_radius_maxwell = (t, F, theta, b, E, tau) => {
+  return _radius_from_force((F * creep_maxwell(t, E, tau)), theta, b, 1.0);
+};
+
+const step_load_radius_maxwell = (t, F, theta, b, E, tau) => {
+  if ((!((0.0 <= F && F < Infinity) && (0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E && E < Infinity) && (0.0 < tau && tau < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_load_radius_maxwell(t, F, theta, b, E, tau) : NaN);
+};
+
+const relaxation_kelvin_voigt = (t, E, eta) => {
+  if ((t > 0.0)) {
+    return E;
+  }
+  return Infinity;
+};
+
+const _step_force_kelvin_voigt = (t, d, theta, b, E, eta) => {
+  return (relaxation_kelvin_voigt(t, E, eta) * _force_from_depth(d, theta, b, 1.0));
+};
+
+const step_force_kelvin_voigt = (t, d, theta, b, E, eta) => {
+  if ((!((0.0 <= d && d < Infinity) && (0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E && E < Infinity) && (0.0 < eta && eta < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_force_kelvin_voigt(t, d, theta, b, E, eta) : NaN);
+};
+
+const creep_kelvin_voigt = (t, E, eta) => {
+  return ((-Math.expm1((((-E) * t) / eta))) / E);
+};
+
+const _step_load_radius_kelvin_voigt = (t, F, theta, b, E, eta) => {
+  return _radius_from_force((F * creep_kelvin_voigt(t, E, eta)), theta, b, 1.0);
+};
+
+const step_load_radius_kelvin_voigt = (t, F, theta, b, E, eta) => {
+  if ((!((0.0 <= F && F < Infinity) && (0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E && E < Infinity) && (0.0 < eta && eta < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_load_radius_kelvin_voigt(t, F, theta, b, E, eta) : NaN);
+};
+
+const relaxation_standard_solid = (t, E_inf, E_1, tau) => {
+  return (E_inf + (E_1 * Math.exp(((-t) / tau))));
+};
+
+const _step_force_standard_solid = (t, d, theta, b, E_inf, E_1, tau) => {
+  return (relaxation_standard_solid(t, E_inf, E_1, tau) * _force_from_depth(d, theta, b, 1.0));
+};
+
+const step_force_standard_solid = (t, d, theta, b, E_inf, E_1, tau) => {
+  if ((!((0.0 <= d && d < Infinity) && (0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_inf && E_inf < Infinity) && (0.0 <= E_1 && E_1 < Infinity) && (0.0 < tau && tau < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_force_standard_solid(t, d, theta, b, E_inf, E_1, tau) : NaN);
+};
+
+const creep_standard_solid = (t, E_inf, E_1, tau) => {
+  let v4;
+  v4 = (E_inf + E_1);
+  return ((1.0 / v4) - (((E_1 / v4) * Math.expm1((-((t / tau) * (E_inf / v4))))) / E_inf));
+};
+
+const _step_load_radius_standard_solid = (t, F, theta, b, E_inf, E_1, tau) => {
+  return _radius_from_force((F * creep_standard_solid(t, E_inf, E_1, tau)), theta, b, 1.0);
+};
+
+const step_load_radius_standard_solid = (t, F, theta, b, E_inf, E_1, tau) => {
+  if ((!((0.0 <= F && F < Infinity) && (0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_inf && E_inf < Infinity) && (0.0 <= E_1 && E_1 < Infinity) && (0.0 < tau && tau < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_load_radius_standard_solid(t, F, theta, b, E_inf, E_1, tau) : NaN);
+};
+
+const relaxation_power_creep = (t, E, alpha, t_0) => {
+  let v8;
+  v8 = (3.141592653589793 * alpha);
+  return (((E * Math.pow((t_0 / t), alpha)) * Math.sin(v8)) / v8);
+};
+
+const _step_force_power_creep = (t, d, theta, b, E, alpha, t_0) => {
+  return (relaxation_power_creep(t, E, alpha, t_0) * _force_from_depth(d, theta, b, 1.0));
+};
+
+const step_force_power_creep = (t, d, theta, b, E, alpha, t_0) => {
+  if ((!((0.0 <= d && d < Infinity) && (0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E && E < Infinity) && (0.0 < alpha && alpha < 1.0) && (0.0 < t_0 && t_0 < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_force_power_creep(t, d, theta, b, E, alpha, t_0) : NaN);
+};
+
+const creep_power_creep = (t, E, alpha, t_0) => {
+  return (Math.pow((t / t_0), alpha) / E);
+};
+
+const _step_load_radius_power_creep = (t, F, theta, b, E, alpha, t_0) => {
+  return _radius_from_force((F * creep_power_creep(t, E, alpha, t_0)), theta, b, 1.0);
+};
+
+const step_load_radius_power_creep = (t, F, theta, b, E, alpha, t_0) => {
+  if ((!((0.0 <= F && F < Infinity) && (0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E && E < Infinity) && (0.0 < alpha && alpha < 1.0) && (0.0 < t_0 && t_0 < Infinity)))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_load_radius_power_creep(t, F, theta, b, E, alpha, t_0) : NaN);
+};
+
+const once = { pull_off: math.kept(pull_off), pull_off_of_truncated_cone: math.kept(pull_off_of_truncated_cone) };
 const formulas = {
   "d": (v) => depth(v.a, v.theta, v.b),
   "F": (v) => force(v.a, v.theta, v.b, v.E_star),
@@ -1453,11 +2842,55 @@ const formulas = {
   "adh.F": (v) => force_of_truncated_cone(v.a, v.theta, v.b, v.E_star, v.dgamma),
   "adh.p": (v) => pressure_of_truncated_cone(v.r, v.a, v.theta, v.b, v.E_star, v.dgamma),
   "adh.w": (v) => displacement_of_truncated_cone(v.r, v.a, v.theta, v.b, v.E_star, v.dgamma),
+  "adh.ad": (v) => radius_from_depth_of_truncated_cone(v.d, v.theta, v.b, v.E_star, v.dgamma),
+  "adh.aF": (v) => radius_from_force_of_truncated_cone(v.F, v.theta, v.b, v.E_star, v.dgamma),
+  "adh.ac": (v) => (once.pull_off('force', v.theta, v.b, v.E_star, v.dgamma).radius ?? NaN),
+  "adh.Fc": (v) => (once.pull_off('force', v.theta, v.b, v.E_star, v.dgamma).force ?? NaN),
+  "adh.dc": (v) => (once.pull_off('force', v.theta, v.b, v.E_star, v.dgamma).depth ?? NaN),
+  "adh.am": (v) => (once.pull_off('depth', v.theta, v.b, v.E_star, v.dgamma).radius ?? NaN),
+  "adh.Fm": (v) => (once.pull_off('depth', v.theta, v.b, v.E_star, v.dgamma).force ?? NaN),
+  "adh.dm": (v) => (once.pull_off('depth', v.theta, v.b, v.E_star, v.dgamma).depth ?? NaN),
   "tan.F": (v) => tangential_force(v.a, v.c, v.theta, v.b, v.E_star, v.mu),
   "tan.tau": (v) => traction(v.r, v.a, v.c, v.theta, v.b, v.E_star, v.mu),
   "tan.u": (v) => tangential_displacement(v.a, v.c, v.theta, v.b, v.E_star, v.G_star, v.mu),
   "tan.c": (v) => stick_radius(v.F_x, v.a, v.theta, v.b, v.E_star, v.mu),
   "tan.us": (v) => full_slip_displacement(v.a, v.theta, v.b, v.E_star, v.G_star, v.mu),
+  "fgm.d": (v) => depth_2(v.a, v.theta, v.b, v.k),
+  "fgm.F": (v) => force_2(v.a, v.theta, v.b, v.H, v.k),
+  "fgm.p": (v) => pressure_2(v.r, v.a, v.theta, v.b, v.H, v.k),
+  "fgm.w": (v) => displacement_2(v.r, v.a, v.theta, v.b, v.k),
+  "fgm.k": (v) => stiffness_of_truncated_cone(v.a, v.theta, v.b, v.H, v.k),
+  "fgm.pm": (v) => mean_pressure_of_truncated_cone(v.a, v.theta, v.b, v.H, v.k),
+  "fgm.ad": (v) => radius_from_depth_2(v.d, v.theta, v.b, v.k),
+  "fgm.aF": (v) => radius_from_force_2(v.F, v.theta, v.b, v.H, v.k),
+  "fgm.Fd": (v) => force_from_depth_of_truncated_cone(v.d, v.theta, v.b, v.H, v.k),
+  "fgm.dF": (v) => depth_from_force_of_truncated_cone(v.F, v.theta, v.b, v.H, v.k),
+  "fgm.adh.Dl": (v) => retraction_of_truncated_cone(v.a, v.H, v.k, v.dgamma),
+  "fgm.adh.d": (v) => depth_3(v.a, v.theta, v.b, v.H, v.k, v.dgamma),
+  "fgm.adh.F": (v) => force_3(v.a, v.theta, v.b, v.H, v.k, v.dgamma),
+  "fgm.adh.p": (v) => pressure_3(v.r, v.a, v.theta, v.b, v.H, v.k, v.dgamma),
+  "fgm.adh.w": (v) => displacement_3(v.r, v.a, v.theta, v.b, v.H, v.k, v.dgamma),
+  "fgm.adh.ad": (v) => radius_from_depth_3(v.d, v.theta, v.b, v.H, v.k, v.dgamma),
+  "fgm.adh.aF": (v) => radius_from_force_3(v.F, v.theta, v.b, v.H, v.k, v.dgamma),
+  "fgm.adh.ac": (v) => (once.pull_off_of_truncated_cone('force', v.theta, v.b, v.H, v.k, v.dgamma).radius ?? NaN),
+  "fgm.adh.Fc": (v) => (once.pull_off_of_truncated_cone('force', v.theta, v.b, v.H, v.k, v.dgamma).force ?? NaN),
+  "fgm.adh.dc": (v) => (once.pull_off_of_truncated_cone('force', v.theta, v.b, v.H, v.k, v.dgamma).depth ?? NaN),
+  "fgm.adh.am": (v) => (once.pull_off_of_truncated_cone('depth', v.theta, v.b, v.H, v.k, v.dgamma).radius ?? NaN),
+  "fgm.adh.Fm": (v) => (once.pull_off_of_truncated_cone('depth', v.theta, v.b, v.H, v.k, v.dgamma).force ?? NaN),
+  "fgm.adh.dm": (v) => (once.pull_off_of_truncated_cone('depth', v.theta, v.b, v.H, v.k, v.dgamma).depth ?? NaN),
+  "fgm.tan.F": (v) => tangential_force_of_truncated_cone(v.a, v.c, v.theta, v.b, v.H, v.k, v.mu),
+  "fgm.tan.tau": (v) => traction_of_truncated_cone(v.r, v.a, v.c, v.theta, v.b, v.H, v.k, v.mu),
+  "fgm.tan.u": (v) => tangential_displacement_of_truncated_cone(v.a, v.c, v.theta, v.b, v.H, v.H_x, v.k, v.mu),
+  "fgm.tan.c": (v) => stick_radius_of_truncated_cone(v.F_x, v.a, v.theta, v.b, v.H, v.k, v.mu),
+  "fgm.tan.us": (v) => full_slip_displacement_of_truncated_cone(v.a, v.theta, v.b, v.H, v.H_x, v.k, v.mu),
+  "vis.step_mx": (v) => step_force_maxwell(v.t, v.d, v.theta, v.b, v.E_law, v.tau),
+  "vis.load_mx": (v) => step_load_radius_maxwell(v.t, v.F, v.theta, v.b, v.E_law, v.tau),
+  "vis.step_kv": (v) => step_force_kelvin_voigt(v.t, v.d, v.theta, v.b, v.E_law, v.eta),
+  "vis.load_kv": (v) => step_load_radius_kelvin_voigt(v.t, v.F, v.theta, v.b, v.E_law, v.eta),
+  "vis.step_sls": (v) => step_force_standard_solid(v.t, v.d, v.theta, v.b, v.E_inf, v.E_1, v.tau),
+  "vis.load_sls": (v) => step_load_radius_standard_solid(v.t, v.F, v.theta, v.b, v.E_inf, v.E_1, v.tau),
+  "vis.step_pc": (v) => step_force_power_creep(v.t, v.d, v.theta, v.b, v.E_law, v.alpha, v.t_0),
+  "vis.load_pc": (v) => step_load_radius_power_creep(v.t, v.F, v.theta, v.b, v.E_law, v.alpha, v.t_0),
 };
 window.calculator = { ...{
  "fields": [
@@ -1528,6 +2961,39 @@ window.calculator = { ...{
    "value": ""
   },
   {
+   "name": "H",
+   "tex": "H",
+   "meaning": "foundation modulus of the graded half-space",
+   "unit": "Pa m^(-k)",
+   "rule": "H > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 50000000.0
+  },
+  {
+   "name": "k",
+   "tex": "k",
+   "meaning": "exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space",
+   "unit": "1",
+   "rule": "-1 < k < 1",
+   "low": -1.0,
+   "high": 1.0,
+   "closed": "",
+   "value": 0.3
+  },
+  {
+   "name": "H_x",
+   "tex": "H_x",
+   "meaning": "tangential foundation modulus",
+   "unit": "Pa m^(-k)",
+   "rule": "H_x > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 30000000.0
+  },
+  {
    "name": "mu",
    "tex": "\\mu",
    "meaning": "coefficient of friction",
@@ -1581,6 +3047,94 @@ window.calculator = { ...{
    "high": null,
    "closed": "",
    "value": ""
+  },
+  {
+   "name": "E_law",
+   "tex": "E",
+   "meaning": "effective (plane-strain) modulus of the viscoelastic law",
+   "unit": "Pa",
+   "rule": "E_law > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 3000000.0
+  },
+  {
+   "name": "E_inf",
+   "tex": "E_\\infty",
+   "meaning": "long-time effective modulus",
+   "unit": "Pa",
+   "rule": "E_inf > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 1000000.0
+  },
+  {
+   "name": "E_1",
+   "tex": "E_1",
+   "meaning": "relaxing part of the effective modulus",
+   "unit": "Pa",
+   "rule": "E_1 >= 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "low",
+   "value": 2000000.0
+  },
+  {
+   "name": "tau",
+   "tex": "\\tau",
+   "meaning": "relaxation time",
+   "unit": "s",
+   "rule": "tau > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 1.0
+  },
+  {
+   "name": "eta",
+   "tex": "\\eta",
+   "meaning": "effective viscosity",
+   "unit": "Pa s",
+   "rule": "eta > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 1000000.0
+  },
+  {
+   "name": "alpha",
+   "tex": "\\alpha",
+   "meaning": "exponent of power-law creep",
+   "unit": "1",
+   "rule": "0 < alpha < 1",
+   "low": 0.0,
+   "high": 1.0,
+   "closed": "",
+   "value": 0.3
+  },
+  {
+   "name": "t_0",
+   "tex": "t_0",
+   "meaning": "reference time of power-law creep",
+   "unit": "s",
+   "rule": "t_0 > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 1.0
+  },
+  {
+   "name": "t",
+   "tex": "t",
+   "meaning": "time since first contact",
+   "unit": "s",
+   "rule": "t >= 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "low",
+   "value": 1.0
   }
  ],
  "state": [
@@ -1628,7 +3182,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": "d"
+   "suffix": "d",
+   "medium": 0
   },
   "F": {
    "gives": "F",
@@ -1640,7 +3195,8 @@ window.calculator = { ...{
    ],
    "unit": "N",
    "place": "",
-   "suffix": "F"
+   "suffix": "F",
+   "medium": 0
   },
   "p": {
    "gives": "p",
@@ -1653,7 +3209,8 @@ window.calculator = { ...{
    ],
    "unit": "Pa",
    "place": "inside",
-   "suffix": "p"
+   "suffix": "p",
+   "medium": 0
   },
   "w": {
    "gives": "w",
@@ -1665,7 +3222,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "outside",
-   "suffix": "w"
+   "suffix": "w",
+   "medium": 0
   },
   "k": {
    "gives": "stiffness",
@@ -1677,7 +3235,8 @@ window.calculator = { ...{
    ],
    "unit": "N/m",
    "place": "",
-   "suffix": "k"
+   "suffix": "k",
+   "medium": 0
   },
   "pm": {
    "gives": "p_mean",
@@ -1689,7 +3248,8 @@ window.calculator = { ...{
    ],
    "unit": "Pa",
    "place": "",
-   "suffix": "pm"
+   "suffix": "pm",
+   "medium": 0
   },
   "U": {
    "gives": "U",
@@ -1701,7 +3261,8 @@ window.calculator = { ...{
    ],
    "unit": "J",
    "place": "",
-   "suffix": "U"
+   "suffix": "U",
+   "medium": 0
   },
   "Fr": {
    "gives": "F_r",
@@ -1714,7 +3275,8 @@ window.calculator = { ...{
    ],
    "unit": "N",
    "place": "inside",
-   "suffix": "Fr"
+   "suffix": "Fr",
+   "medium": 0
   },
   "ad": {
    "gives": "a",
@@ -1725,7 +3287,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": "ad"
+   "suffix": "ad",
+   "medium": 0
   },
   "aF": {
    "gives": "a",
@@ -1737,7 +3300,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": "aF"
+   "suffix": "aF",
+   "medium": 0
   },
   "Fd": {
    "gives": "F",
@@ -1749,7 +3313,8 @@ window.calculator = { ...{
    ],
    "unit": "N",
    "place": "",
-   "suffix": "Fd"
+   "suffix": "Fd",
+   "medium": 0
   },
   "dF": {
    "gives": "d",
@@ -1761,7 +3326,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": "dF"
+   "suffix": "dF",
+   "medium": 0
   },
   "adh.Dl": {
    "gives": "retraction",
@@ -1772,7 +3338,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
   },
   "adh.d": {
    "gives": "d",
@@ -1785,7 +3352,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
   },
   "adh.F": {
    "gives": "F",
@@ -1798,7 +3366,8 @@ window.calculator = { ...{
    ],
    "unit": "N",
    "place": "",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
   },
   "adh.p": {
    "gives": "p",
@@ -1812,7 +3381,8 @@ window.calculator = { ...{
    ],
    "unit": "Pa",
    "place": "inside",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
   },
   "adh.w": {
    "gives": "w",
@@ -1826,7 +3396,114 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "outside",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.ad": {
+   "gives": "a",
+   "needs": [
+    "d",
+    "theta",
+    "b",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.aF": {
+   "gives": "a",
+   "needs": [
+    "F",
+    "theta",
+    "b",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.ac": {
+   "gives": "a_c",
+   "needs": [
+    "theta",
+    "b",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.Fc": {
+   "gives": "F",
+   "needs": [
+    "theta",
+    "b",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.dc": {
+   "gives": "d",
+   "needs": [
+    "theta",
+    "b",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.am": {
+   "gives": "a_c",
+   "needs": [
+    "theta",
+    "b",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.Fm": {
+   "gives": "F",
+   "needs": [
+    "theta",
+    "b",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.dm": {
+   "gives": "d",
+   "needs": [
+    "theta",
+    "b",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
   },
   "tan.F": {
    "gives": "F_x",
@@ -1840,7 +3517,8 @@ window.calculator = { ...{
    ],
    "unit": "N",
    "place": "",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
   },
   "tan.tau": {
    "gives": "tau",
@@ -1855,7 +3533,8 @@ window.calculator = { ...{
    ],
    "unit": "Pa",
    "place": "inside",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
   },
   "tan.u": {
    "gives": "u_0",
@@ -1870,7 +3549,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
   },
   "tan.c": {
    "gives": "c",
@@ -1884,7 +3564,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
   },
   "tan.us": {
    "gives": "u_0",
@@ -1898,7 +3579,542 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
+  },
+  "fgm.d": {
+   "gives": "d",
+   "needs": [
+    "a",
+    "theta",
+    "b",
+    "k"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "d",
+   "medium": 1
+  },
+  "fgm.F": {
+   "gives": "F",
+   "needs": [
+    "a",
+    "theta",
+    "b",
+    "H",
+    "k"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "F",
+   "medium": 1
+  },
+  "fgm.p": {
+   "gives": "p",
+   "needs": [
+    "r",
+    "a",
+    "theta",
+    "b",
+    "H",
+    "k"
+   ],
+   "unit": "Pa",
+   "place": "inside",
+   "suffix": "p",
+   "medium": 1
+  },
+  "fgm.w": {
+   "gives": "w",
+   "needs": [
+    "r",
+    "a",
+    "theta",
+    "b",
+    "k"
+   ],
+   "unit": "m",
+   "place": "outside",
+   "suffix": "w",
+   "medium": 1
+  },
+  "fgm.k": {
+   "gives": "stiffness",
+   "needs": [
+    "a",
+    "theta",
+    "b",
+    "H",
+    "k"
+   ],
+   "unit": "N/m",
+   "place": "",
+   "suffix": "k",
+   "medium": 1
+  },
+  "fgm.pm": {
+   "gives": "p_mean",
+   "needs": [
+    "a",
+    "theta",
+    "b",
+    "H",
+    "k"
+   ],
+   "unit": "Pa",
+   "place": "",
+   "suffix": "pm",
+   "medium": 1
+  },
+  "fgm.ad": {
+   "gives": "a",
+   "needs": [
+    "d",
+    "theta",
+    "b",
+    "k"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "ad",
+   "medium": 1
+  },
+  "fgm.aF": {
+   "gives": "a",
+   "needs": [
+    "F",
+    "theta",
+    "b",
+    "H",
+    "k"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "aF",
+   "medium": 1
+  },
+  "fgm.Fd": {
+   "gives": "F",
+   "needs": [
+    "d",
+    "theta",
+    "b",
+    "H",
+    "k"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "Fd",
+   "medium": 1
+  },
+  "fgm.dF": {
+   "gives": "d",
+   "needs": [
+    "F",
+    "theta",
+    "b",
+    "H",
+    "k"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "dF",
+   "medium": 1
+  },
+  "fgm.adh.Dl": {
+   "gives": "retraction",
+   "needs": [
+    "a",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.d": {
+   "gives": "d",
+   "needs": [
+    "a",
+    "theta",
+    "b",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.F": {
+   "gives": "F",
+   "needs": [
+    "a",
+    "theta",
+    "b",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.p": {
+   "gives": "p",
+   "needs": [
+    "r",
+    "a",
+    "theta",
+    "b",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "Pa",
+   "place": "inside",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.w": {
+   "gives": "w",
+   "needs": [
+    "r",
+    "a",
+    "theta",
+    "b",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "outside",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.ad": {
+   "gives": "a",
+   "needs": [
+    "d",
+    "theta",
+    "b",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.aF": {
+   "gives": "a",
+   "needs": [
+    "F",
+    "theta",
+    "b",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.ac": {
+   "gives": "a_c",
+   "needs": [
+    "theta",
+    "b",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.Fc": {
+   "gives": "F",
+   "needs": [
+    "theta",
+    "b",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.dc": {
+   "gives": "d",
+   "needs": [
+    "theta",
+    "b",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.am": {
+   "gives": "a_c",
+   "needs": [
+    "theta",
+    "b",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.Fm": {
+   "gives": "F",
+   "needs": [
+    "theta",
+    "b",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.adh.dm": {
+   "gives": "d",
+   "needs": [
+    "theta",
+    "b",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.tan.F": {
+   "gives": "F_x",
+   "needs": [
+    "a",
+    "c",
+    "theta",
+    "b",
+    "H",
+    "k",
+    "mu"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.tan.tau": {
+   "gives": "tau",
+   "needs": [
+    "r",
+    "a",
+    "c",
+    "theta",
+    "b",
+    "H",
+    "k",
+    "mu"
+   ],
+   "unit": "Pa",
+   "place": "inside",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.tan.u": {
+   "gives": "u_0",
+   "needs": [
+    "a",
+    "c",
+    "theta",
+    "b",
+    "H",
+    "H_x",
+    "k",
+    "mu"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.tan.c": {
+   "gives": "c",
+   "needs": [
+    "F_x",
+    "a",
+    "theta",
+    "b",
+    "H",
+    "k",
+    "mu"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "fgm.tan.us": {
+   "gives": "u_0",
+   "needs": [
+    "a",
+    "theta",
+    "b",
+    "H",
+    "H_x",
+    "k",
+    "mu"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "vis.step_mx": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "d",
+    "theta",
+    "b",
+    "E_law",
+    "tau"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.load_mx": {
+   "gives": "a",
+   "needs": [
+    "t",
+    "F",
+    "theta",
+    "b",
+    "E_law",
+    "tau"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.step_kv": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "d",
+    "theta",
+    "b",
+    "E_law",
+    "eta"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.load_kv": {
+   "gives": "a",
+   "needs": [
+    "t",
+    "F",
+    "theta",
+    "b",
+    "E_law",
+    "eta"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.step_sls": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "d",
+    "theta",
+    "b",
+    "E_inf",
+    "E_1",
+    "tau"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.load_sls": {
+   "gives": "a",
+   "needs": [
+    "t",
+    "F",
+    "theta",
+    "b",
+    "E_inf",
+    "E_1",
+    "tau"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.step_pc": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "d",
+    "theta",
+    "b",
+    "E_law",
+    "alpha",
+    "t_0"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.load_pc": {
+   "gives": "a",
+   "needs": [
+    "t",
+    "F",
+    "theta",
+    "b",
+    "E_law",
+    "alpha",
+    "t_0"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
   }
  },
  "place": "r"

@@ -25,7 +25,10 @@ const math = {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
     return Array.from({ length: Math.max(Math.ceil((stop - start) / step), 0) }, (_, count) => start + step * count);
   },
-  zip: (x, y) => x.map((value, place) => [value, y[place]]),
+  zip: (x, y) => x.slice(0, y.length).map((value, place) => [value, y[place]]),
+  // named fields that are told by their places too
+  record: (fields) => Object.assign(Object.values(fields), fields),
+  replaced: (x, changes) => math.record({ ...Object.fromEntries(Object.entries(x).slice(x.length)), ...changes }),
   enumerate: (x, start = 0) => Array.from(x, (value, place) => [place + start, value]),
   repeated: (x, count) => math.range(count).flatMap(() => x),
   reversed: (x) => [...x].reverse(),
@@ -84,6 +87,63 @@ const math = {
     bits.setBigInt64(0, bits.getBigInt64(0) + (x > 0.0 === to > x ? 1n : -1n));
     return bits.getFloat64(0);
   },
+  halfway: (low, high) => {
+    const bits = new DataView(new ArrayBuffer(16));
+    bits.setFloat64(0, low);
+    bits.setFloat64(8, high);
+    const first = bits.getBigInt64(0);
+    bits.setBigInt64(0, first + (bits.getBigInt64(8) - first) / 2n);
+    return bits.getFloat64(0);
+  },
+  // radii around waves: decades, sixteen in each wave, decades
+  radii_of_waves: (length, reach) => {
+    const waves = Math.floor(math.clip(Number.isFinite(reach / length) ? reach / length : 4.0, 4.0, 4096.0));
+    const inner = [...math.range(15).map((place) => Math.pow(10.0, 10 * place - 150)), ...math.range(1, 16 * waves + 1).map((x) => x / 16.0)];
+    return [...inner, ...math.range(10).map((place) => (waves + 1.0) * Math.pow(10.0, 10 * place))].map((x) => x * length);
+  },
+  // what was found for the last arguments
+  kept: (of) => {
+    const known = new Map();
+    return (...given) => {
+      const key = given.join();
+      if (known.size > 99) known.clear();
+      if (!known.has(key)) known.set(key, of(...given));
+      return known.get(key);
+    };
+  },
+  // the branches on which a steepness is above a level, each end refined where the sign changes between two radii; what
+  // was sampled is that of a geometry, and keeps what was found in it
+  branches: (change, far) => (steepness, sampled, level) => {
+    const { radii, end } = sampled;
+    const steep = (sampled.steep ??= radii.map((a) => steepness(a)));
+    sampled.found ??= math.kept((level) => math.searched(change, far, steepness, radii, steep, end, level));
+    return sampled.found(level);
+  },
+  searched: (change, far, steepness, radii, steep, end, level) => {
+    const above = (a) => Math.log(steepness(a) / level);
+    const [first, last] = [[], []];
+    if (steep[0] >= level) first.push(radii[0]);
+    for (let place = 1; place < radii.length; place++) {
+      const [before, after] = [steep[place - 1], steep[place]];
+      const up = after >= level;
+      if (up !== before >= level && (up || radii[place - 1] < far)) {
+        const found = change(above, radii[place - 1], radii[place], Math.log(before / level), Math.log(after / level), up ? 1.0 : -1.0);
+        (up ? first : last).push(found);
+      }
+    }
+    const largest = math.nextafter(radii.at(-1), 0.0);
+    return { first: first.map((a) => Math.min(a, largest)), last: [...last, end].slice(0, first.length) };
+  },
+  lowest: ({ first }, load) => {
+    const loads = first.map(load);
+    const known = loads.filter((x) => x === x);
+    return known.length ? first[loads.indexOf(Math.min(...known))] : NaN;
+  },
+  springs: (pairs, under) => (left, low, high) => {
+    const first = left(low);
+    const terms = pairs.map(([node, weight]) => weight * left(low + (high - low) * node));
+    return (high - low) * (math.fsum(terms) + under * first);
+  },
   // nodes and weights on (0, 1) for an interval of a length, in panels beyond the last one
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
@@ -99,6 +159,19 @@ const math = {
   integral_by_panels: (integrand, stop, width, count) => {
     const panels = panelsOf(Math.max(stop / width, 1.0));
     return math.fsum(pairs(count, panels).map(([node, weight]) => weight * integrand(node * stop))) * stop;
+  },
+  both: (integrand, stop, width = 1.0, lengths = STRIPS) => {
+    if (stop !== stop) return [stop, stop];
+    const panels = panelsOf(Math.max(stop / width / lengths.at(-1)[0], 1.0));
+    const [first, second] = [[], []];
+    for (let start = 0; start < panels; start++) {
+      for (const [node, weight] of math.rule(lengths)(stop / width / panels)) {
+        const [x, y] = integrand(((start + node) / panels) * stop);
+        first.push((weight / panels) * x);
+        second.push((weight / panels) * y);
+      }
+    }
+    return [math.fsum(first) * stop, math.fsum(second) * stop];
   },
   integral_by_length: (...given) => math.integral_in_strip(...given),
   in_groups: (rule_of) => (slope, parameters, ...given) => {
@@ -930,6 +1003,400 @@ const displacement_of_wavy_paraboloid = (r, a, R, h, wavelength, E_star, dgamma)
   return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_of_wavy_paraboloid(r, a, R, h, wavelength, E_star, dgamma) : 0.0) : NaN);
 };
 
+const exponent_of = (x) => {
+  return (math.frexp(x)[1] - 1);
+};
+
+const _rate = (a, R, h, wavelength) => {
+  let v10, v117, v120, v122, v127, v168, v17, v18, v19, v20, v208, v213, v216, v254, v255, v308, v359, v436, v470, v6, v65;
+  v6 = ((6.283185307179586 / wavelength) * a);
+  v10 = (wavelength * wavelength);
+  v17 = (v6 >= 4.0);
+  v18 = (((v6 > 4.0) || (v6 !== v6)) ? v6 : 4.0);
+  v19 = (4.0 / v18);
+  v20 = (v19 * v19);
+  v120 = Math.sin(v18);
+  v122 = Math.cos(v18);
+  v127 = math.sqrt((3.141592653589793 * v18));
+  v213 = (((v6 < 4.0) || (v6 !== v6)) ? v6 : 4.0);
+  v216 = ((4.0 - v213) * (4.0 + v213));
+  if (v17) {
+    v65 = (((((((((((((((0.0018387596444350194 * v20) + 0.19066450900998982) * v20) + 3.0483894754261476) * v20) + 15.19102558900126) * v20) + 29.808014377479484) * v20) + 24.96788054397516) * v20) + 8.683547237489872) * v20) + 0.9999999999999999) / ((((((((((((((0.002212005671285288 * v20) + 0.2001974796255756) * v20) + 3.105370848058991) * v20) + 15.312651459874987) * v20) + 29.91423599857526) * v20) + 25.005621881441563) * v20) + 8.687941768739819) * v20) + 1.0));
+    v117 = ((-(((((((((((((((((0.0004901193629942897 * v20) + 0.06145984139536439) * v20) + 1.0518270059695811) * v20) + 5.781613266959815) * v20) + 13.238613776927886) * v20) + 14.03231295125601) * v20) + 7.053533528650583) * v20) + 1.5864409102245354) * v20) + 0.12499999999999996) / ((((((((((((((((0.010407794628814504 * v20) + 0.6786602978701849) * v20) + 9.714034412080755) * v20) + 49.61872106978687) * v20) + 109.72928508784756) * v20) + 114.25481958955879) * v20) + 56.887289819100324) * v20) + 12.728148375546064) * v20) + 1.0))) / v18);
+    v168 = (((((((((((((((((((((((((2.7669174297600505 * v20) + 458.12928011151) * v20) + 12339.040962954072) * v20) + 116086.73672207216) * v20) + 497567.64954748255) * v20) + 1108277.323605407) * v20) + 1381011.961852606) * v20) + 1003773.8758924268) * v20) + 434231.16206495283) * v20) + 112030.50898197992) * v20) + 16935.748731095395) * v20) + 1432.2758652785926) * v20) + 61.134000115506566) * v20);
+    v208 = (((((((((((((((((((((((((7.180883835408781 * v20) + 701.2388166510722) * v20) + 15685.23245722768) * v20) + 134351.15109003813) * v20) + 545544.5462081418) * v20) + 1175419.8654706934) * v20) + 1434014.3809253315) * v20) + 1028086.753929006) * v20) + 440767.5736243928) * v20) + 113047.1785966793) * v20) + 17023.406316407476) * v20) + 1436.0654902859085) * v20) + 61.19650011550626) * v20);
+    v255 = (((((v65 + v117) * v120) + ((v117 - v65) * v122)) / v127) + ((0.6366197723675814 / v18) * ((v168 + 0.9999999999999998) / (v208 + 1.0))));
+  } else {
+    v254 = (v213 * ((((((((((((((((((((((((8.828323214435029e-27 * v216) + 4.6099020557240325e-24) * v216) + 2.4054615951897063e-21) * v216) + 1.0273396391723168e-18) * v216) + 3.5707244750588535e-16) * v216) + 9.847681544810048e-14) * v216) + 2.088352382583283e-11) * v216) + 3.266281247828758e-09) * v216) + 3.554845442184243e-07) * v216) + 2.4671442647474615e-05) * v216) + 0.0009425048654833265) * v216) + 0.014589391634279988) * v216) + 0.0337536433556216));
+    v255 = v254;
+  }
+  if (v17) {
+    v308 = (((((((((((((((0.0018773703247195895 * v20) + 0.17053156995401425) * v20) + 2.7565766154758267) * v20) + 14.085676584169661) * v20) + 28.30504291806951) * v20) + 24.19659912841874) * v20) + 8.560140742521124) * v20) + 1.0000000000000002) / ((((((((((((((0.001315029089114673 * v20) + 0.15591147496716967) * v20) + 2.6674713412625057) * v20) + 13.891911213363473) * v20) + 28.13292872559877) * v20) + 24.134519693158005) * v20) + 8.552816523771185) * v20) + 1.0));
+    v359 = ((((((((((((((((((0.0016961654708947827 * v20) + 0.17562515929080788) * v20) + 2.9500282447640895) * v20) + 16.322493301074132) * v20) + 37.84774421382997) * v20) + 40.66139336414776) * v20) + 20.70188376587483) * v20) + 4.710432905247793) * v20) + 0.37499999999999994) / ((((((((((((((((0.007244661167733829 * v20) + 0.5487851827143144) * v20) + 8.43604706954985) * v20) + 45.024295985762784) * v20) + 102.65094415087096) * v20) + 109.3423806190792) * v20) + 55.41709218337129) * v20) + 12.578244257744036) * v20) + 1.0)) / v18);
+    v436 = (((((v359 - v308) * v120) + (((-v308) - v359) * v122)) / v127) + (0.6366197723675814 * (((((((((((((((((((((((0.7954438455281475 * v20) + 55.4269545701796) * v20) + 999.7539869191988) * v20) + 6992.387240640285) * v20) + 22608.484089652276) * v20) + 37187.47530329041) * v20) + 32817.09939672785) * v20) + 15912.731669719049) * v20) + 4228.940396282767) * v20) + 594.5581677520396) * v20) + 40.217829413621764) * v20) + 1.0000000000000004) / ((((((((((((((((((((((0.1558545642669933 * v20) + 29.382552552120163) * v20) + 734.7633214340358) * v20) + 5942.661763217029) * v20) + 20664.19697544208) * v20) + 35343.286008115014) * v20) + 31882.01817426868) * v20) + 15657.227983335577) * v20) + 4192.3962190836455) * v20) + 592.0601784135615) * v20) + 40.15532941362233) * v20) + 1.0))));
+    v470 = v436;
+  } else {
+    v470 = ((v213 * v213) * ((((((((((((((((((((1.255917066279343e-22 * v216) + 4.985263580009607e-20) * v216) + 1.957500636948813e-17) * v216) + 6.087092966624871e-15) * v216) + 1.483140364095877e-12) * v216) + 2.7315720998211066e-10) * v216) + 3.6289972704726754e-08) * v216) + 3.2573954609741755e-06) * v216) + 0.00017931640424911422) * v216) + 0.005213128301243747) * v216) + 0.06685791633180746));
+  }
+  return ((((((39.47841760435743 * h) / v10) * a) + (((9.869604401089358 * h) / wavelength) * v255)) + ((2.0 * a) / R)) - ((((62.01255336059963 * h) / v10) * a) * v470));
+};
+
+const _samples = (R, h, wavelength, E_star, dgamma) => {
+  let a;
+  a = math.radii_of_waves(wavelength, Math.pow(((Math.sqrt((((4.5 * Math.PI) * dgamma) / E_star)) * 2.0) * R), (2.0 / 3.0)));
+  return ({ radii: a, end: Infinity });
+};
+
+const XI = {'force': 3.0, 'depth': 1.0};
+
+const least_steepness = (control, E_star, dgamma) => {
+  return (XI[control] * Math.sqrt(((Math.PI * dgamma) / (2.0 * E_star))));
+};
+
+const STEPS = 20;
+
+const CLOSEST = Math.pow(2.0, (-51));
+
+const _change = (above, low, high, before, after, sign) => {
+  let middle, share, stays, step, tried, value;
+  [before, after, stays] = [(sign * before), (sign * after), 0.0];
+  for (step of math.range((STEPS + 64))) {
+    if ((math.nextafter(low, high) >= high)) {
+      break;
+    }
+    share = (((step < STEPS) && (before !== after)) ? (before / (before - after)) : NaN);
+    tried = (low * Math.exp((((0.0 <= share && share <= 1.0) ? share : 0.5) * Math.log((high / low)))));
+    tried = Math.min(Math.max(tried, (low * (1.0 + (CLOSEST * Math.pow(2.0, step))))), (high * (1.0 - (CLOSEST * Math.pow(2.0, step)))));
+    middle = (((step < STEPS) && (low < tried && tried < high)) ? tried : math.halfway(low, high));
+    value = (sign * above(middle));
+    if ((value >= 0.0)) {
+      [before, after] = [((stays > 0.0) ? (0.5 * before) : before), value];
+      [high, stays] = [middle, 1.0];
+    } else {
+      [before, after] = [value, ((stays < 0.0) ? (0.5 * after) : after)];
+      [low, stays] = [middle, (-1.0)];
+    }
+  }
+  return high;
+};
+
+const FAR_of_branches = 1e+50;
+
+const branches = math.branches(_change, FAR_of_branches);
+
+const _branches = (R, h, wavelength, E_star, dgamma, control) => {
+  return branches(((a) => (Math.sqrt(a) * _rate(a, R, h, wavelength))), _samples(R, h, wavelength, E_star, dgamma), least_steepness(control, E_star, dgamma));
+};
+
+const XI_of_stable = {'force': 3.0, 'depth': 1.0};
+
+const growth = (slope, a, control, E_star, dgamma) => {
+  let own;
+  own = (slope - ((XI_of_stable[control] * hess_retraction(a, E_star, dgamma)) / (2.0 * a)));
+  return ((control === 'force') ? (((2.0 * E_star) * a) * own) : own);
+};
+
+const Unknown = (of, back, end = Infinity, order = 2.0, unit = 0.0) => math.record({ of, back, end, order, unit });
+
+const radius_itself = () => {
+  return Unknown(((a) => a), ((x) => [x, math.ones_like(x)]));
+};
+
+const at_the_end = (load, a) => {
+  return load(a);
+};
+
+const NOISE = 4.440892098500626e-16;
+
+const _branch_of = (value, found, load, pulled) => {
+  let first, fits, high, largest, last, least, low, start, top;
+  low = high = least = largest = math.full(value, NaN);
+  for ([first, last] of math.zip(found.first, found.last)) {
+    start = load(first);
+    top = (Number.isFinite(last) ? at_the_end(load, last) : Infinity);
+    top = (Number.isNaN(top) ? Infinity : top);
+    fits = ((value >= (start - ((2.0 * NOISE) * (Math.abs(start) + pulled(first))))) & (value <= top));
+    [low, high] = [(fits ? first : low), (fits ? last : high)];
+    [least, largest] = [(fits ? start : least), (fits ? top : largest)];
+  }
+  return [low, high, least, largest];
+};
+
+const _divided = (value, low, high, least, top, load, corner) => {
+  let above, below, bend, inside;
+  bend = load((corner + math.zeros_like(low)));
+  inside = ((low < corner) & math.logical_not((high <= corner)));
+  above = (inside & (value > bend));
+  below = (inside & math.logical_not(above));
+  [high, top] = [(below ? corner : high), (below ? bend : top)];
+  [low, least] = [(above ? corner : low), (above ? bend : least)];
+  return [low, high, least, top, (low >= corner)];
+};
+
+const _counted = (low, high, beyond, inner, outer) => {
+  let first, last, of, place, reach;
+  of = (a) => {
+    return ((outer == null) ? inner.of(a) : (beyond ? outer.of((beyond ? a : low)) : inner.of(a)));
+  };
+  first = of(low);
+  last = ((high === Infinity) ? Infinity : of(((high === Infinity) ? low : high)));
+  reach = (last - first);
+  place = (t) => {
+    let a, open_, own, own_rate, rate, share, step, x;
+    open_ = math.logical_not(Number.isFinite(reach));
+    share = (open_ ? 0.0 : (t / reach));
+    x = (first + ((share < Infinity) ? (t / (1.0 + share)) : reach));
+    step = (1.0 / Math.pow((1.0 + share), 2));
+    [a, rate] = inner.back(x);
+    if ((outer != null)) {
+      [own, own_rate] = outer.back((beyond ? x : 1.0));
+      [a, rate] = [(beyond ? own : a), (beyond ? own_rate : rate)];
+    }
+    return [a, (rate * step)];
+  };
+  return [first, reach, ((Number.isFinite(reach) | beyond) ? Infinity : (inner.end - first)), place];
+};
+
+const EPS = 2.220446049250313e-16;
+
+const LOST = 0.3;
+
+const SLACK = 1e-06;
+
+const _missed = (value, y) => {
+  let v3, v6;
+  v3 = ((value - y) / y);
+  v6 = (Math.abs(v3) < 0.5);
+  if (v6) {
+    return math.log1p((v6 ? v3 : 0.0));
+  }
+  return math.log((value / y));
+};
+
+const ROUNDING_of_inverse = 1.1102230246251565e-16;
+
+const ITERATIONS = 120;
+
+const SETTLED = 1e-09;
+
+const PATIENCE = 8;
+
+const _safe = (position, step, error, exponents, low, high, late) => {
+  let aimed, ends, first, from_, last, least, met, middle, most, signs, to, within;
+  [least, most] = exponents;
+  error = math.minimum(math.maximum(error, (-1500.0)), 1500.0);
+  ends = [(position + (error / most)), (position + ((error * Math.pow(2.0, Math.max(late, 0))) / math.maximum(least, 1e-300)))];
+  [first, last] = [(math.minimum(...ends) - 1e-09), (math.maximum(...ends) + 1e-09)];
+  aimed = math.minimum(math.maximum((position + step), first), last);
+  [from_, to] = [math.maximum(first, low), math.minimum(last, high)];
+  met = Number.isFinite((high - low));
+  signs = ((from_ > to) | (met & (late >= 0)));
+  middle = (((signs ? low : from_) / 2.0) + ((signs ? high : to) / 2.0));
+  if ((late >= 0)) {
+    aimed = (met ? (position + step) : aimed);
+  }
+  within = (((low <= aimed) & (aimed <= high)) & ((late < 0) || ((late % 2) === 0)));
+  return ((within ? aimed : middle) - position);
+};
+
+const _step = (step, before, slope_before, error, slope) => {
+  let v10, v14, v23, v5, v9;
+  v5 = (error / slope);
+  v9 = ((before === error) ? Infinity : (before - error));
+  v10 = (step / v9);
+  v14 = (((1.0 / slope) - v10) / v9);
+  v23 = ((error * error) * (v14 + (((v14 - ((v10 - (1.0 / slope_before)) / v9)) / v9) * before)));
+  return (v5 + ((Math.abs(v23) < (0.5 * Math.abs(v5))) ? v23 : 0.0));
+};
+
+const _last_step = (t, value, y, slope) => {
+  let v7;
+  v7 = ((t * ((value - y) / y)) / slope);
+  if ((Math.abs(v7) < (0.001 * t))) {
+    return v7;
+  }
+  return 0.0;
+};
+
+const POLISHING = 3;
+
+const inverse = (curve, value, start, exponents, largest = Infinity, share = null, smooth = false, noise = null) => {
+  let _, before, change, close, error, high, iteration, known, left, low, moved, position, root, slope, slope_before, solvable, step, t, y;
+  if (false) {
+    return start.root(curve, value, largest, exponents);
+  }
+  t = math.minimum(start, largest);
+  position = Math.log(t);
+  [y, slope] = curve(t);
+  error = _missed(value, y);
+  [low, high] = [math.full(position, (-Infinity)), math.full(position, Math.log(largest))];
+  step = (error / slope);
+  close = ((noise == null) ? (ROUNDING_of_inverse * value) : noise);
+  known = (y === y);
+  solvable = (((value > 0.0) & (value < Infinity)) & known);
+  for (iteration of math.range(ITERATIONS)) {
+    left = (solvable & math.logical_not((Math.abs(error) <= (SETTLED * math.minimum(slope, 1.0)))));
+    left = (left & math.logical_not((Math.abs((value - y)) <= close)));
+    if ((share != null)) {
+      moved = math.maximum(share(t), share(math.minimum((t * Math.exp(math.minimum(step, 700.0))), largest)));
+      left = (left & math.logical_not(((Math.abs(error) * moved) <= ((4.0 * ROUNDING_of_inverse) * slope))));
+    }
+    if ((!Boolean(left))) {
+      break;
+    }
+    low = ((error > 0.0) ? math.maximum(low, position) : low);
+    high = ((error < 0.0) ? math.minimum(high, position) : high);
+    step = _safe(position, step, error, exponents, low, high, (iteration - PATIENCE));
+    position = (left ? (position + step) : position);
+    t = (left ? Math.exp(position) : t);
+    [before, slope_before] = [error, slope];
+    [y, slope] = curve(t);
+    y = ((y === y) ? y : Infinity);
+    error = _missed(value, y);
+    step = _step(step, before, slope_before, error, slope);
+  }
+  change = _last_step(t, value, y, slope);
+  t = (t + change);
+  if ((!smooth)) {
+    for (_ of math.range(POLISHING)) {
+      if ((!Boolean((Math.abs(change) > (1e-14 * t))))) {
+        break;
+      }
+      change = _last_step(t, value, ...curve(t));
+      t = (t + change);
+    }
+  }
+  root = (((value >= 0.0) & known) ? math.minimum(t, largest) : NaN);
+  return ((value === 0.0) ? 0.0 : ((value === Infinity) ? Infinity : root));
+};
+
+const stable_radius = (value, found, load, slope_of, pulled, inner, outer = null, corner = null) => {
+  let a, beyond, ends, excess, far, first, fixed, high, largest, least, least_short, least_unit, low, noise, order, parts, place, ratio, reach, scale, share, short, slope, start, t, top, unit, wanted;
+  [low, high, least, top] = _branch_of(value, found, load, pulled);
+  if ((!Boolean(Number.isFinite(least)))) {
+    return least;
+  }
+  beyond = math.full(low, ((corner == null) && (outer != null)));
+  if ((corner != null)) {
+    [low, high, least, top, beyond] = _divided(value, low, high, least, top, load, corner);
+  }
+  ends = Number.isFinite(top);
+  if (((outer == null) && Boolean(ends))) {
+    ends = (ends & (slope_of(high) < Infinity));
+  }
+  [first, reach, largest, place] = _counted(low, (ends ? high : Infinity), beyond, inner, outer);
+  fixed = (Math.abs(least) + pulled(low));
+  parts = (fixed + Math.abs(value));
+  least_short = ((4.0 * NOISE) * parts);
+  excess = (t) => {
+    let a, known, lost, more, own, short, slope, step;
+    [a, step] = place(t);
+    own = load(a);
+    [more, short] = [(own - least), (ends ? math.maximum((top - own), least_short) : 1.0)];
+    known = (EPS * (fixed + Math.abs(own)));
+    lost = (more <= known);
+    more = (lost ? known : more);
+    slope = (((t * step) * slope_of(a)) * ((1.0 / more) + (ends ? (1.0 / short) : 0.0)));
+    more = (more / short);
+    slope = ((math.logical_not(ends) & (more < (0.5 * wanted))) ? math.maximum(slope, 0.7) : slope);
+    return [more, (lost ? LOST : slope)];
+  };
+  share = (t) => {
+    let a, step;
+    [a, step] = place(t);
+    return ((t * step) / a);
+  };
+  short = (ends ? math.maximum((top - value), least_short) : 1.0);
+  wanted = ((value < Infinity) ? (math.maximum((value - least), 0.0) / short) : 0.0);
+  far = (ends & (wanted > 1.0));
+  [order, least_unit] = [...['order', 'unit']].map((name) => ((outer == null) ? inner[name] : (beyond ? outer[name] : inner[name])));
+  unit = (far ? reach : math.minimum(math.maximum(first, least_unit), largest));
+  [scale, slope] = excess(unit);
+  ratio = (wanted / scale);
+  start = (unit * Math.pow(ratio, (1.0 / (((ratio > 1.0) & math.logical_not(far)) ? 4.0 : order))));
+  start = ((ends & (slope === LOST)) ? reach : start);
+  noise = ((NOISE * parts) * (ends ? ((1.0 + wanted) / short) : 1.0));
+  t = inverse(excess, wanted, start, [SLACK, Infinity], largest, share, true, noise);
+  a = place(t)[0];
+  return (((value === Infinity) & (high === Infinity)) ? Infinity : (Number.isFinite(least) ? a : NaN));
+};
+
+const _radius_from_depth_of_wavy_paraboloid = (d, R, h, wavelength, E_star, dgamma) => {
+  let found, radius, stress, unit;
+  unit = exponent_of(wavelength);
+  stress = exponent_of(E_star);
+  E_star = math.ldexp(E_star, (-stress));
+  R = math.ldexp(R, (-unit));
+  h = math.ldexp(h, (-unit));
+  wavelength = math.ldexp(wavelength, (-unit));
+  dgamma = math.ldexp(dgamma, (-(stress + unit)));
+  d = math.ldexp(d, (-unit));
+  found = _branches(R, h, wavelength, E_star, dgamma, 'depth');
+  radius = stable_radius(d, found, ((a) => _depth_2(a, R, h, wavelength, E_star, dgamma)), ((a) => growth(_rate(a, R, h, wavelength), a, 'depth', E_star, dgamma)), ((a) => hess_retraction(a, E_star, dgamma)), radius_itself());
+  return math.ldexp(radius, unit);
+};
+
+const radius_from_depth_of_wavy_paraboloid = (d, R, h, wavelength, E_star, dgamma) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < h && h < Infinity) && (0.0 < wavelength && wavelength < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity) && (((12.391420936291585 * h) * R) <= Math.pow(wavelength, 2))))) {
+    return NaN;
+  }
+  return _radius_from_depth_of_wavy_paraboloid(d, R, h, wavelength, E_star, dgamma);
+};
+
+const pull = (a, E_star, dgamma) => {
+  return (((2.0 * E_star) * a) * (math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star))));
+};
+
+const _radius_from_force_of_wavy_paraboloid = (F, R, h, wavelength, E_star, dgamma) => {
+  let found, radius, stress, unit;
+  unit = exponent_of(wavelength);
+  stress = exponent_of(E_star);
+  E_star = math.ldexp(E_star, (-stress));
+  R = math.ldexp(R, (-unit));
+  h = math.ldexp(h, (-unit));
+  wavelength = math.ldexp(wavelength, (-unit));
+  dgamma = math.ldexp(dgamma, (-(stress + unit)));
+  F = math.ldexp(F, (-(stress + (2 * unit))));
+  found = _branches(R, h, wavelength, E_star, dgamma, 'force');
+  radius = stable_radius(F, found, ((a) => _force_2(a, R, h, wavelength, E_star, dgamma)), ((a) => growth(_rate(a, R, h, wavelength), a, 'force', E_star, dgamma)), ((a) => pull(a, E_star, dgamma)), radius_itself());
+  return math.ldexp(radius, unit);
+};
+
+const radius_from_force_of_wavy_paraboloid = (F, R, h, wavelength, E_star, dgamma) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < h && h < Infinity) && (0.0 < wavelength && wavelength < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity) && (((12.391420936291585 * h) * R) <= Math.pow(wavelength, 2))))) {
+    return NaN;
+  }
+  return _radius_from_force_of_wavy_paraboloid(F, R, h, wavelength, E_star, dgamma);
+};
+
+const _pull_off_radius = (R, h, wavelength, E_star, dgamma, control) => {
+  let found, load, radius, stress, unit;
+  unit = exponent_of(wavelength);
+  stress = exponent_of(E_star);
+  E_star = math.ldexp(E_star, (-stress));
+  R = math.ldexp(R, (-unit));
+  h = math.ldexp(h, (-unit));
+  wavelength = math.ldexp(wavelength, (-unit));
+  dgamma = math.ldexp(dgamma, (-(stress + unit)));
+  found = _branches(R, h, wavelength, E_star, dgamma, control);
+  load = ((control === 'force') ? _force_2 : _depth_2);
+  radius = math.lowest(found, ((a) => load(a, R, h, wavelength, E_star, dgamma)));
+  return math.ldexp(radius, unit);
+};
+
+const PullOff = (radius, force, depth) => math.record({ radius, force, depth });
+
+const pull_off = (control = 'force', R, h, wavelength, E_star, dgamma) => {
+  let depth, force, radius;
+  if ((!((0.0 < R && R < Infinity) && (0.0 < h && h < Infinity) && (0.0 < wavelength && wavelength < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity) && (((12.391420936291585 * h) * R) <= Math.pow(wavelength, 2))))) {
+    return NaN;
+  }
+  radius = _pull_off_radius(R, h, wavelength, E_star, dgamma, control);
+  force = ((radius >= 0.0) ? _force_2(radius, R, h, wavelength, E_star, dgamma) : NaN);
+  depth = ((radius >= 0.0) ? _depth_2(radius, R, h, wavelength, E_star, dgamma) : NaN);
+  return PullOff(radius, force, depth);
+};
+
 const CLOSE = 0.25;
 
 const _gap = (a, c, outer, inner) => {
@@ -1069,6 +1536,148 @@ const full_slip_displacement = (a, R, h, wavelength, E_star, G_star, mu) => {
   return ((a >= 0.0) ? _full_slip_displacement(a, R, h, wavelength, E_star, G_star, mu) : NaN);
 };
 
+const graded_retraction = (a, H, k, dgamma) => {
+  if ((a > 0.0)) {
+    return ((math.sqrt(((6.283185307179586 * dgamma) / H)) * math.sqrt(a)) * math.sqrt(Math.pow(a, (-k))));
+  }
+  return 0.0;
+};
+
+const retraction_of_wavy_paraboloid = (a, H, k, dgamma) => {
+  if ((!((0.0 < H && H < Infinity) && (-1.0 < k && k < 1.0) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? graded_retraction(a, H, k, dgamma) : NaN);
+};
+
+const relaxation_maxwell = (t, E, tau) => {
+  return (E * Math.exp(((-t) / tau)));
+};
+
+const _step_force_maxwell = (t, d, R, h, wavelength, E, tau) => {
+  return (relaxation_maxwell(t, E, tau) * _force_from_depth(d, R, h, wavelength, 1.0));
+};
+
+const step_force_maxwell = (t, d, R, h, wavelength, E, tau) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < h && h < Infinity) && (0.0 < wavelength && wavelength < Infinity) && (0.0 <= d && d < Infinity) && (0.0 < E && E < Infinity) && (0.0 < tau && tau < Infinity) && (((12.391420936291585 * h) * R) <= Math.pow(wavelength, 2))))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_force_maxwell(t, d, R, h, wavelength, E, tau) : NaN);
+};
+
+const creep_maxwell = (t, E, tau) => {
+  return ((1.0 + (t / tau)) / E);
+};
+
+const _step_load_radius_maxwell = (t, F, R, h, wavelength, E, tau) => {
+  return _radius_from_force((F * creep_maxwell(t, E, tau)), R, h, wavelength, 1.0);
+};
+
+const step_load_radius_maxwell = (t, F, R, h, wavelength, E, tau) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < h && h < Infinity) && (0.0 < wavelength && wavelength < Infinity) && (0.0 <= F && F < Infinity) && (0.0 < E && E < Infinity) && (0.0 < tau && tau < Infinity) && (((12.391420936291585 * h) * R) <= Math.pow(wavelength, 2))))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_load_radius_maxwell(t, F, R, h, wavelength, E, tau) : NaN);
+};
+
+const relaxation_kelvin_voigt = (t, E, eta) => {
+  if ((t > 0.0)) {
+    return E;
+  }
+  return Infinity;
+};
+
+const _step_force_kelvin_voigt = (t, d, R, h, wavelength, E, eta) => {
+  return (relaxation_kelvin_voigt(t, E, eta) * _force_from_depth(d, R, h, wavelength, 1.0));
+};
+
+const step_force_kelvin_voigt = (t, d, R, h, wavelength, E, eta) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < h && h < Infinity) && (0.0 < wavelength && wavelength < Infinity) && (0.0 <= d && d < Infinity) && (0.0 < E && E < Infinity) && (0.0 < eta && eta < Infinity) && (((12.391420936291585 * h) * R) <= Math.pow(wavelength, 2))))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_force_kelvin_voigt(t, d, R, h, wavelength, E, eta) : NaN);
+};
+
+const creep_kelvin_voigt = (t, E, eta) => {
+  return ((-Math.expm1((((-E) * t) / eta))) / E);
+};
+
+const _step_load_radius_kelvin_voigt = (t, F, R, h, wavelength, E, eta) => {
+  return _radius_from_force((F * creep_kelvin_voigt(t, E, eta)), R, h, wavelength, 1.0);
+};
+
+const step_load_radius_kelvin_voigt = (t, F, R, h, wavelength, E, eta) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < h && h < Infinity) && (0.0 < wavelength && wavelength < Infinity) && (0.0 <= F && F < Infinity) && (0.0 < E && E < Infinity) && (0.0 < eta && eta < Infinity) && (((12.391420936291585 * h) * R) <= Math.pow(wavelength, 2))))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_load_radius_kelvin_voigt(t, F, R, h, wavelength, E, eta) : NaN);
+};
+
+const relaxation_standard_solid = (t, E_inf, E_1, tau) => {
+  return (E_inf + (E_1 * Math.exp(((-t) / tau))));
+};
+
+const _step_force_standard_solid = (t, d, R, h, wavelength, E_inf, E_1, tau) => {
+  return (relaxation_standard_solid(t, E_inf, E_1, tau) * _force_from_depth(d, R, h, wavelength, 1.0));
+};
+
+const step_force_standard_solid = (t, d, R, h, wavelength, E_inf, E_1, tau) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < h && h < Infinity) && (0.0 < wavelength && wavelength < Infinity) && (0.0 <= d && d < Infinity) && (0.0 < E_inf && E_inf < Infinity) && (0.0 <= E_1 && E_1 < Infinity) && (0.0 < tau && tau < Infinity) && (((12.391420936291585 * h) * R) <= Math.pow(wavelength, 2))))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_force_standard_solid(t, d, R, h, wavelength, E_inf, E_1, tau) : NaN);
+};
+
+const creep_standard_solid = (t, E_inf, E_1, tau) => {
+  let v4;
+  v4 = (E_inf + E_1);
+  return ((1.0 / v4) - (((E_1 / v4) * Math.expm1((-((t / tau) * (E_inf / v4))))) / E_inf));
+};
+
+const _step_load_radius_standard_solid = (t, F, R, h, wavelength, E_inf, E_1, tau) => {
+  return _radius_from_force((F * creep_standard_solid(t, E_inf, E_1, tau)), R, h, wavelength, 1.0);
+};
+
+const step_load_radius_standard_solid = (t, F, R, h, wavelength, E_inf, E_1, tau) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < h && h < Infinity) && (0.0 < wavelength && wavelength < Infinity) && (0.0 <= F && F < Infinity) && (0.0 < E_inf && E_inf < Infinity) && (0.0 <= E_1 && E_1 < Infinity) && (0.0 < tau && tau < Infinity) && (((12.391420936291585 * h) * R) <= Math.pow(wavelength, 2))))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_load_radius_standard_solid(t, F, R, h, wavelength, E_inf, E_1, tau) : NaN);
+};
+
+const relaxation_power_creep = (t, E, alpha, t_0) => {
+  let v8;
+  v8 = (3.141592653589793 * alpha);
+  return (((E * Math.pow((t_0 / t), alpha)) * Math.sin(v8)) / v8);
+};
+
+const _step_force_power_creep = (t, d, R, h, wavelength, E, alpha, t_0) => {
+  return (relaxation_power_creep(t, E, alpha, t_0) * _force_from_depth(d, R, h, wavelength, 1.0));
+};
+
+const step_force_power_creep = (t, d, R, h, wavelength, E, alpha, t_0) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < h && h < Infinity) && (0.0 < wavelength && wavelength < Infinity) && (0.0 <= d && d < Infinity) && (0.0 < E && E < Infinity) && (0.0 < alpha && alpha < 1.0) && (0.0 < t_0 && t_0 < Infinity) && (((12.391420936291585 * h) * R) <= Math.pow(wavelength, 2))))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_force_power_creep(t, d, R, h, wavelength, E, alpha, t_0) : NaN);
+};
+
+const creep_power_creep = (t, E, alpha, t_0) => {
+  return (Math.pow((t / t_0), alpha) / E);
+};
+
+const _step_load_radius_power_creep = (t, F, R, h, wavelength, E, alpha, t_0) => {
+  return _radius_from_force((F * creep_power_creep(t, E, alpha, t_0)), R, h, wavelength, 1.0);
+};
+
+const step_load_radius_power_creep = (t, F, R, h, wavelength, E, alpha, t_0) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < h && h < Infinity) && (0.0 < wavelength && wavelength < Infinity) && (0.0 <= F && F < Infinity) && (0.0 < E && E < Infinity) && (0.0 < alpha && alpha < 1.0) && (0.0 < t_0 && t_0 < Infinity) && (((12.391420936291585 * h) * R) <= Math.pow(wavelength, 2))))) {
+    return NaN;
+  }
+  return ((t >= 0.0) ? _step_load_radius_power_creep(t, F, R, h, wavelength, E, alpha, t_0) : NaN);
+};
+
+const once = { pull_off: math.kept(pull_off) };
 const formulas = {
   "d": (v) => depth(v.a, v.R, v.h, v.wavelength),
   "F": (v) => force(v.a, v.R, v.h, v.wavelength, v.E_star),
@@ -1087,11 +1696,28 @@ const formulas = {
   "adh.F": (v) => force_of_wavy_paraboloid(v.a, v.R, v.h, v.wavelength, v.E_star, v.dgamma),
   "adh.p": (v) => pressure_of_wavy_paraboloid(v.r, v.a, v.R, v.h, v.wavelength, v.E_star, v.dgamma),
   "adh.w": (v) => displacement_of_wavy_paraboloid(v.r, v.a, v.R, v.h, v.wavelength, v.E_star, v.dgamma),
+  "adh.ad": (v) => radius_from_depth_of_wavy_paraboloid(v.d, v.R, v.h, v.wavelength, v.E_star, v.dgamma),
+  "adh.aF": (v) => radius_from_force_of_wavy_paraboloid(v.F, v.R, v.h, v.wavelength, v.E_star, v.dgamma),
+  "adh.ac": (v) => (once.pull_off('force', v.R, v.h, v.wavelength, v.E_star, v.dgamma).radius ?? NaN),
+  "adh.Fc": (v) => (once.pull_off('force', v.R, v.h, v.wavelength, v.E_star, v.dgamma).force ?? NaN),
+  "adh.dc": (v) => (once.pull_off('force', v.R, v.h, v.wavelength, v.E_star, v.dgamma).depth ?? NaN),
+  "adh.am": (v) => (once.pull_off('depth', v.R, v.h, v.wavelength, v.E_star, v.dgamma).radius ?? NaN),
+  "adh.Fm": (v) => (once.pull_off('depth', v.R, v.h, v.wavelength, v.E_star, v.dgamma).force ?? NaN),
+  "adh.dm": (v) => (once.pull_off('depth', v.R, v.h, v.wavelength, v.E_star, v.dgamma).depth ?? NaN),
   "tan.F": (v) => tangential_force(v.a, v.c, v.R, v.h, v.wavelength, v.E_star, v.mu),
   "tan.tau": (v) => traction(v.r, v.a, v.c, v.R, v.h, v.wavelength, v.E_star, v.mu),
   "tan.u": (v) => tangential_displacement(v.a, v.c, v.R, v.h, v.wavelength, v.E_star, v.G_star, v.mu),
   "tan.c": (v) => stick_radius(v.F_x, v.a, v.R, v.h, v.wavelength, v.E_star, v.mu),
   "tan.us": (v) => full_slip_displacement(v.a, v.R, v.h, v.wavelength, v.E_star, v.G_star, v.mu),
+  "fgm.adh.Dl": (v) => retraction_of_wavy_paraboloid(v.a, v.H, v.k, v.dgamma),
+  "vis.step_mx": (v) => step_force_maxwell(v.t, v.d, v.R, v.h, v.wavelength, v.E_law, v.tau),
+  "vis.load_mx": (v) => step_load_radius_maxwell(v.t, v.F, v.R, v.h, v.wavelength, v.E_law, v.tau),
+  "vis.step_kv": (v) => step_force_kelvin_voigt(v.t, v.d, v.R, v.h, v.wavelength, v.E_law, v.eta),
+  "vis.load_kv": (v) => step_load_radius_kelvin_voigt(v.t, v.F, v.R, v.h, v.wavelength, v.E_law, v.eta),
+  "vis.step_sls": (v) => step_force_standard_solid(v.t, v.d, v.R, v.h, v.wavelength, v.E_inf, v.E_1, v.tau),
+  "vis.load_sls": (v) => step_load_radius_standard_solid(v.t, v.F, v.R, v.h, v.wavelength, v.E_inf, v.E_1, v.tau),
+  "vis.step_pc": (v) => step_force_power_creep(v.t, v.d, v.R, v.h, v.wavelength, v.E_law, v.alpha, v.t_0),
+  "vis.load_pc": (v) => step_load_radius_power_creep(v.t, v.F, v.R, v.h, v.wavelength, v.E_law, v.alpha, v.t_0),
 };
 window.calculator = { ...{
  "fields": [
@@ -1173,6 +1799,28 @@ window.calculator = { ...{
    "value": ""
   },
   {
+   "name": "H",
+   "tex": "H",
+   "meaning": "foundation modulus of the graded half-space",
+   "unit": "Pa m^(-k)",
+   "rule": "H > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 50000000.0
+  },
+  {
+   "name": "k",
+   "tex": "k",
+   "meaning": "exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space",
+   "unit": "1",
+   "rule": "-1 < k < 1",
+   "low": -1.0,
+   "high": 1.0,
+   "closed": "",
+   "value": 0.3
+  },
+  {
    "name": "mu",
    "tex": "\\mu",
    "meaning": "coefficient of friction",
@@ -1226,6 +1874,94 @@ window.calculator = { ...{
    "high": null,
    "closed": "",
    "value": ""
+  },
+  {
+   "name": "E_law",
+   "tex": "E",
+   "meaning": "effective (plane-strain) modulus of the viscoelastic law",
+   "unit": "Pa",
+   "rule": "E_law > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 3000000.0
+  },
+  {
+   "name": "E_inf",
+   "tex": "E_\\infty",
+   "meaning": "long-time effective modulus",
+   "unit": "Pa",
+   "rule": "E_inf > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 1000000.0
+  },
+  {
+   "name": "E_1",
+   "tex": "E_1",
+   "meaning": "relaxing part of the effective modulus",
+   "unit": "Pa",
+   "rule": "E_1 >= 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "low",
+   "value": 2000000.0
+  },
+  {
+   "name": "tau",
+   "tex": "\\tau",
+   "meaning": "relaxation time",
+   "unit": "s",
+   "rule": "tau > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 1.0
+  },
+  {
+   "name": "eta",
+   "tex": "\\eta",
+   "meaning": "effective viscosity",
+   "unit": "Pa s",
+   "rule": "eta > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 1000000.0
+  },
+  {
+   "name": "alpha",
+   "tex": "\\alpha",
+   "meaning": "exponent of power-law creep",
+   "unit": "1",
+   "rule": "0 < alpha < 1",
+   "low": 0.0,
+   "high": 1.0,
+   "closed": "",
+   "value": 0.3
+  },
+  {
+   "name": "t_0",
+   "tex": "t_0",
+   "meaning": "reference time of power-law creep",
+   "unit": "s",
+   "rule": "t_0 > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 1.0
+  },
+  {
+   "name": "t",
+   "tex": "t",
+   "meaning": "time since first contact",
+   "unit": "s",
+   "rule": "t >= 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "low",
+   "value": 1.0
   }
  ],
  "state": [
@@ -1274,7 +2010,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": "d"
+   "suffix": "d",
+   "medium": 0
   },
   "F": {
    "gives": "F",
@@ -1287,7 +2024,8 @@ window.calculator = { ...{
    ],
    "unit": "N",
    "place": "",
-   "suffix": "F"
+   "suffix": "F",
+   "medium": 0
   },
   "p": {
    "gives": "p",
@@ -1301,7 +2039,8 @@ window.calculator = { ...{
    ],
    "unit": "Pa",
    "place": "inside",
-   "suffix": "p"
+   "suffix": "p",
+   "medium": 0
   },
   "w": {
    "gives": "w",
@@ -1314,7 +2053,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "outside",
-   "suffix": "w"
+   "suffix": "w",
+   "medium": 0
   },
   "k": {
    "gives": "stiffness",
@@ -1327,7 +2067,8 @@ window.calculator = { ...{
    ],
    "unit": "N/m",
    "place": "",
-   "suffix": "k"
+   "suffix": "k",
+   "medium": 0
   },
   "pm": {
    "gives": "p_mean",
@@ -1340,7 +2081,8 @@ window.calculator = { ...{
    ],
    "unit": "Pa",
    "place": "",
-   "suffix": "pm"
+   "suffix": "pm",
+   "medium": 0
   },
   "U": {
    "gives": "U",
@@ -1353,7 +2095,8 @@ window.calculator = { ...{
    ],
    "unit": "J",
    "place": "",
-   "suffix": "U"
+   "suffix": "U",
+   "medium": 0
   },
   "Fr": {
    "gives": "F_r",
@@ -1367,7 +2110,8 @@ window.calculator = { ...{
    ],
    "unit": "N",
    "place": "inside",
-   "suffix": "Fr"
+   "suffix": "Fr",
+   "medium": 0
   },
   "ad": {
    "gives": "a",
@@ -1379,7 +2123,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": "ad"
+   "suffix": "ad",
+   "medium": 0
   },
   "aF": {
    "gives": "a",
@@ -1392,7 +2137,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": "aF"
+   "suffix": "aF",
+   "medium": 0
   },
   "Fd": {
    "gives": "F",
@@ -1405,7 +2151,8 @@ window.calculator = { ...{
    ],
    "unit": "N",
    "place": "",
-   "suffix": "Fd"
+   "suffix": "Fd",
+   "medium": 0
   },
   "dF": {
    "gives": "d",
@@ -1418,7 +2165,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": "dF"
+   "suffix": "dF",
+   "medium": 0
   },
   "adh.Dl": {
    "gives": "retraction",
@@ -1429,7 +2177,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
   },
   "adh.d": {
    "gives": "d",
@@ -1443,7 +2192,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
   },
   "adh.F": {
    "gives": "F",
@@ -1457,7 +2207,8 @@ window.calculator = { ...{
    ],
    "unit": "N",
    "place": "",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
   },
   "adh.p": {
    "gives": "p",
@@ -1472,7 +2223,8 @@ window.calculator = { ...{
    ],
    "unit": "Pa",
    "place": "inside",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
   },
   "adh.w": {
    "gives": "w",
@@ -1487,7 +2239,122 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "outside",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.ad": {
+   "gives": "a",
+   "needs": [
+    "d",
+    "R",
+    "h",
+    "wavelength",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.aF": {
+   "gives": "a",
+   "needs": [
+    "F",
+    "R",
+    "h",
+    "wavelength",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.ac": {
+   "gives": "a_c",
+   "needs": [
+    "R",
+    "h",
+    "wavelength",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.Fc": {
+   "gives": "F",
+   "needs": [
+    "R",
+    "h",
+    "wavelength",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.dc": {
+   "gives": "d",
+   "needs": [
+    "R",
+    "h",
+    "wavelength",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.am": {
+   "gives": "a_c",
+   "needs": [
+    "R",
+    "h",
+    "wavelength",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.Fm": {
+   "gives": "F",
+   "needs": [
+    "R",
+    "h",
+    "wavelength",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "adh.dm": {
+   "gives": "d",
+   "needs": [
+    "R",
+    "h",
+    "wavelength",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
   },
   "tan.F": {
    "gives": "F_x",
@@ -1502,7 +2369,8 @@ window.calculator = { ...{
    ],
    "unit": "N",
    "place": "",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
   },
   "tan.tau": {
    "gives": "tau",
@@ -1518,7 +2386,8 @@ window.calculator = { ...{
    ],
    "unit": "Pa",
    "place": "inside",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
   },
   "tan.u": {
    "gives": "u_0",
@@ -1534,7 +2403,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
   },
   "tan.c": {
    "gives": "c",
@@ -1549,7 +2419,8 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
   },
   "tan.us": {
    "gives": "u_0",
@@ -1564,7 +2435,153 @@ window.calculator = { ...{
    ],
    "unit": "m",
    "place": "",
-   "suffix": ""
+   "suffix": "",
+   "medium": 0
+  },
+  "fgm.adh.Dl": {
+   "gives": "retraction",
+   "needs": [
+    "a",
+    "H",
+    "k",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 1
+  },
+  "vis.step_mx": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "d",
+    "R",
+    "h",
+    "wavelength",
+    "E_law",
+    "tau"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.load_mx": {
+   "gives": "a",
+   "needs": [
+    "t",
+    "F",
+    "R",
+    "h",
+    "wavelength",
+    "E_law",
+    "tau"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.step_kv": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "d",
+    "R",
+    "h",
+    "wavelength",
+    "E_law",
+    "eta"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.load_kv": {
+   "gives": "a",
+   "needs": [
+    "t",
+    "F",
+    "R",
+    "h",
+    "wavelength",
+    "E_law",
+    "eta"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.step_sls": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "d",
+    "R",
+    "h",
+    "wavelength",
+    "E_inf",
+    "E_1",
+    "tau"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.load_sls": {
+   "gives": "a",
+   "needs": [
+    "t",
+    "F",
+    "R",
+    "h",
+    "wavelength",
+    "E_inf",
+    "E_1",
+    "tau"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.step_pc": {
+   "gives": "F",
+   "needs": [
+    "t",
+    "d",
+    "R",
+    "h",
+    "wavelength",
+    "E_law",
+    "alpha",
+    "t_0"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "vis.load_pc": {
+   "gives": "a",
+   "needs": [
+    "t",
+    "F",
+    "R",
+    "h",
+    "wavelength",
+    "E_law",
+    "alpha",
+    "t_0"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
   }
  },
  "place": "r"

@@ -16,10 +16,9 @@ def sine_root(x, R, theta):
 
 
 def halves(x):
-    """Two numbers of 26 bits that add up to x."""
-    high = 134217729.0 * x
-    high = high - (high - x)
-    return (high, x - high)
+    v2 = 134217729.0 * x
+    v4 = v2 - (v2 - x)
+    return (v4, x - v4)
 
 
 def nth_root(x, n, more=0):

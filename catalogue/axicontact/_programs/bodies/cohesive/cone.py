@@ -2,22 +2,35 @@
 
 from __future__ import annotations
 
-from math import atan2, hypot, tan
+from math import atan2, cos, fsum, hypot, inf, sin, tan
 
 from ...._programs.bodies.normal import cone as normal
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening, outer_radius, root_near, root_of_zone, still
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_near, root_of_zone, still
 from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii, radius_of_pull_off, radius_under
 from ...._runtime.physics.cohesive_states import State
 from ....cohesive.cone import partial
-from ...._runtime.plain import log1p, sqrt, MATH as np
+from ...._runtime.plain import log1p, sqrt, rule, MATH as np
 
-SHORT = 16
+RULE_0 = rule(((0.45, 8), (inf, 16)))
 
 
 def _opened(q, a, theta):
-    """Gap of the normal contact at c, and its rate with c."""
-    return opening(lambda t: normal._slope(t, theta), q, a, SHORT)
+    v4 = atan2(q, a)
+    v15 = 3.141592653589793 * tan(theta) / 2.0
+    v20 = []
+    v21 = []
+    if abs(v4) > 0.0:
+        for node, weight in RULE_0(v4 / 1.0):
+            v6 = node * v4
+            v8 = 0.0 + v6
+            v18 = v15 * v8 * sin(v8)
+            v19 = v15 * cos(v8)
+            v20.append(weight * v18)
+            v21.append(weight * v19)
+    v20 = fsum(v20) * v4
+    v21 = fsum(v21) * v4
+    return (0.6366197723675814 * hypot(a, q) * v20, 0.6366197723675814 * v21)
 
 
 def _zone(a, theta, E_star, dgamma, sigma_0):

@@ -2,21 +2,50 @@
 
 from __future__ import annotations
 
-from math import atan2, hypot
+from math import asinh, atan2, cos, cosh, fsum, hypot, inf, sin, sinh
 
 from ...._programs.bodies.normal import ellipsoid as normal
 from ...._programs.bodies._runtime.integrals import difference_root
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening_below, outer_radius, root_near, root_of_zone, still, tension_of_zone, zone_within
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_near, root_of_zone, still, tension_of_zone, zone_within
 from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii_up_to, radius_of_pull_off, radius_under
 from ...._runtime.physics.cohesive_states import State
 from ....cohesive.ellipsoid import partial
-from ...._runtime.plain import log1p, MATH as np
+from ...._runtime.plain import log1p, sqrt, rule, MATH as np
+
+RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64), (18.03, 128)))
 
 
 def _opened(q, a, h, b):
-    """Gap of the normal contact at c, and its rate with c."""
-    return opening_below(lambda t, root: normal._slope(t, root, h, b), q, a, b)
+    v4 = hypot(a, q)
+    v6 = b - a
+    v11 = sqrt((v6 if v6 > 0.0 or v6 != v6 else 0.0) * (b + a))
+    v12 = v11 - q
+    v16 = sqrt((v12 if v12 > 0.0 or v12 != v12 else 0.0) * (v11 + q))
+    v18 = asinh(v16 / v4)
+    v19 = v18 > 0.0
+    v21 = v18 if v19 else 1.0
+    v23 = asinh(atan2(q, a) / v21)
+    v35 = h / b
+    v48 = []
+    v49 = []
+    if abs(v23) > 0.0:
+        for node, weight in RULE_0(v23 / 0.7):
+            v25 = node * v23
+            v27 = v21 * sinh(v25)
+            v28 = sin(v27)
+            v29 = cos(v27)
+            v30 = v4 * v29
+            v32 = hypot(v16, v4 * v28)
+            v44 = (v35 * asinh(v30 / v32) + h * v30 / (v32 * v32)) * v21 * cosh(v25)
+            v46 = v44 * v27 * v28
+            v47 = v44 * v29
+            v48.append(weight * v46)
+            v49.append(weight * v47)
+    v48 = fsum(v48) * v23
+    v49 = fsum(v49) * v23
+    v52 = 0.6366197723675814 if v19 else inf
+    return (v52 * v4 * v48, v52 * v49)
 
 
 def _zone(a, h, b, E_star, dgamma, sigma_0):

@@ -2,24 +2,44 @@
 
 from __future__ import annotations
 
-from math import atan2, fsum, hypot, inf, nan
+from math import atan2, cos, fsum, hypot, inf, nan, sin
 
 from ...._programs.bodies.normal import gaussian as normal
 from ...._programs.bodies._runtime.integrals import difference_root
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening, outer_radius, root_near, root_of_zone, still, zone_within
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_near, root_of_zone, still, zone_within
 from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii_on_bump, radius_of_pull_off, radius_under
 from ...._runtime.physics.cohesive_states import State
 from ....cohesive.gaussian import partial
 from ...._runtime.plain import sqrt, rule, MATH as np
 
-NODES = 32
-RULE_0 = rule(((inf, 32),))
+RULE_0 = rule(((0.5, 16), (inf, 32)))
+RULE_1 = rule(((inf, 32),))
 
 
 def _opened(q, a, h, s):
-    """Gap of the normal contact at c, and its rate with c."""
-    return opening(lambda t: normal._slope(t, h, s), q, a, NODES)
+    v4 = hypot(a, q)
+    v5 = atan2(q, a)
+    v15 = 2.0 * h / s
+    v82 = []
+    v83 = []
+    if abs(v5) > 0.0:
+        for node, weight in RULE_0(v5 / 1.0):
+            v7 = node * v5
+            v9 = 0.0 + v7
+            v10 = cos(v9)
+            v12 = v4 * v10 / s
+            v16 = v12 * v12
+            v54 = ((((((((((((1.567077144036674e-13 * v16 + -3.840375691006307e-12) * v16 + 3.8015754128174666e-11) * v16 + -1.8423006918213799e-10) * v16 + 4.472469827763728e-10) * v16 + -1.1927516362741588e-09) * v16 + 6.225892246861416e-09) * v16 + 3.4413148480148793e-09) * v16 + -9.933344851449817e-08) * v16 + -5.127541706569233e-07) * v16 + 1.8119768160503268e-06) * v16 + 2.151585040783394e-05) * v16 + 4.61098799999374e-06) * v16
+            v71 = v12 / ((((((v54 + -0.000684089638073553) * v16 + -0.002257495580553435) * v16 + 0.016931216930225715) * v16 + 0.17777777777782838) * v16 + 0.6666666666666656) * v16 + 1.0)
+            v77 = v15 * (v71 + (1.0 - 2.0 * v71 * v12) * v12)
+            v80 = v77 * v9 * sin(v9)
+            v81 = v77 * v10
+            v82.append(weight * v80)
+            v83.append(weight * v81)
+    v82 = fsum(v82) * v5
+    v83 = fsum(v83) * v5
+    return (0.6366197723675814 * v4 * v82, 0.6366197723675814 * v83)
 
 
 def _zone(a, h, s, E_star, dgamma, sigma_0):
@@ -52,7 +72,7 @@ def _force_of(a, q, h, s, E_star, dgamma, sigma_0):
     if a <= 1.5019752682686114 * s:
         v13 = 2.0 * h / s
         v77 = []
-        for node, weight in RULE_0(a / 1.0):
+        for node, weight in RULE_1(a / 1.0):
             v10 = node * a
             v11 = v10 / s
             v14 = v11 * v11
@@ -81,7 +101,7 @@ def _pressure_of(r, a, q, h, s, E_star, dgamma, sigma_0):
             v16 = r * r
             v23 = 2.0 * h / s
             v87 = []
-            for node, weight in RULE_0(v13 / 1.0):
+            for node, weight in RULE_1(v13 / 1.0):
                 v15 = node * v13
                 v19 = sqrt(v16 + v15 * v15)
                 v20 = v19 / s

@@ -2,22 +2,48 @@
 
 from __future__ import annotations
 
-from math import asinh, atan, atan2, exp, expm1, fsum, hypot, inf, tan
+from math import asinh, atan, atan2, cos, cosh, exp, expm1, fsum, hypot, inf, sin, sinh, tan
 
 from ...._programs.bodies.normal import hyperboloid as normal
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening_beside, outer_radius, root_near, root_of_zone, still
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_near, root_of_zone, still
 from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii, radius_of_pull_off, radius_under
 from ...._runtime.physics.cohesive_states import State
 from ....cohesive.hyperboloid import partial
 from ...._runtime.plain import sqrt, rule, MATH as np
 
-RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
+RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64), (18.03, 128)))
+RULE_1 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
 
 
 def _opened(q, a, theta, b):
-    """Gap of the normal contact at c, and its rate with c."""
-    return opening_beside(lambda t: normal._slope(t, theta, b), q, a, b)
+    v4 = hypot(a, q)
+    v7 = asinh(b / v4)
+    v10 = 1.5707963267948966 / v7
+    v11 = atan2(a, q) / v7
+    v12 = asinh(v10)
+    v27 = asinh(atan2(q, a) / v7 * (v10 + v11) / (v10 * sqrt(1.0 + v11 * v11) + v11 * sqrt(1.0 + v10 * v10)))
+    v31 = 2.0 * v7
+    v43 = tan(theta)
+    v45 = b * v43
+    v48 = b * b
+    v60 = []
+    v61 = []
+    if abs(v27) > 0.0:
+        for node, weight in RULE_0(v27 / 0.7):
+            v29 = node * v27
+            v33 = 0.5 * v29
+            v38 = v31 * cosh(v12 - v33) * sinh(v33)
+            v39 = cos(v38)
+            v40 = v4 * v39
+            v55 = (v43 * atan(v40 / b) + v45 * v40 / (v40 * v40 + v48)) * v7 * cosh(v12 - v29)
+            v58 = v55 * v38 * sin(v38)
+            v59 = v55 * v39
+            v60.append(weight * v58)
+            v61.append(weight * v59)
+    v60 = fsum(v60) * v27
+    v61 = fsum(v61) * v27
+    return (0.6366197723675814 * v4 * v60, 0.6366197723675814 * v61)
 
 
 def _zone(a, theta, b, E_star, dgamma, sigma_0):
@@ -67,7 +93,7 @@ def _pressure_of(r, a, q, theta, b, E_star, dgamma, sigma_0):
         v49 = b * b
         v54 = v11 * v11
         v58 = []
-        for node, weight in RULE_0(v19 / 1.0):
+        for node, weight in RULE_1(v19 / 1.0):
             v28 = node * v19
             v37 = v17 * (exp(-v28) * (0.0 - expm1(-2.0 * (v19 - v28))) / v27)
             v38 = v37 * v37

@@ -2,22 +2,37 @@
 
 from __future__ import annotations
 
-from math import atan2, hypot
+from math import atan2, cos, fsum, hypot, inf, sin
 
 from ...._programs.bodies.normal import paraboloid as normal
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening, outer_radius, root_near, root_of_zone, still
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_near, root_of_zone, still
 from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii, radius_of_pull_off, radius_under
 from ...._runtime.physics.cohesive_states import State
 from ....cohesive.paraboloid import partial
-from ...._runtime.plain import sqrt, MATH as np
+from ...._runtime.plain import sqrt, rule, MATH as np
 
-SHORT = 16
+RULE_0 = rule(((0.45, 8), (inf, 16)))
 
 
 def _opened(q, a, R):
-    """Gap of the normal contact at c, and its rate with c."""
-    return opening(lambda t: normal._slope(t, R), q, a, SHORT)
+    v3 = hypot(a, q)
+    v4 = atan2(q, a)
+    v18 = []
+    v19 = []
+    if abs(v4) > 0.0:
+        for node, weight in RULE_0(v4 / 1.0):
+            v6 = node * v4
+            v8 = 0.0 + v6
+            v9 = cos(v8)
+            v13 = 2.0 * (v3 * v9) / R
+            v16 = v13 * v8 * sin(v8)
+            v17 = v13 * v9
+            v18.append(weight * v16)
+            v19.append(weight * v17)
+    v18 = fsum(v18) * v4
+    v19 = fsum(v19) * v4
+    return (0.6366197723675814 * v3 * v18, 0.6366197723675814 * v19)
 
 
 def _zone(a, R, E_star, dgamma, sigma_0):

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from math import inf
 
 from ...._programs.bodies.normal import polynomial as normal
+from ...._programs.bodies._runtime.functions import depth_over_height
 from ...._programs.bodies._runtime.integrals import difference_root
 from ...._programs.bodies._runtime.interface import either
 from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening, outer_radius, pull_of_zone, root_near, root_of_zone, still, sunk, tension_of_zone, work_of_zone
@@ -12,12 +14,13 @@ from ...._runtime.physics.cohesive_states import State
 from ....cohesive.polynomial import partial
 from ...._runtime.plain import MATH as np
 
-NODES = 32
+ENTIRE = ((0.5, 16,), (inf, 32,),)
 
 
 def _opened(q, a, A):
     """Gap of the normal contact at c, and its rate with c."""
-    return opening(lambda t: normal._slope(t, A), q, a, NODES)
+    terms = [(j - 1, j * depth_over_height(j) * A_j) for j, A_j in enumerate(A, 1)]
+    return opening(lambda t: sum((rate * t ** power for power, rate in terms)), q, a, ENTIRE)
 
 
 def _zone(a, A, E_star, dgamma, sigma_0):

@@ -2,22 +2,48 @@
 
 from __future__ import annotations
 
-from math import atan2, exp, expm1, fsum, hypot, inf, isfinite, pow
+from math import asinh, atan, atan2, cosh, exp, expm1, fsum, hypot, inf, isfinite, pow, sinh
 
 from ...._programs.bodies.normal import power_law as normal
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening_power, outer_radius, root_near, root_of_zone, still
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_near, root_of_zone, still
 from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii, radius_of_pull_off, radius_under
 from ...._runtime.physics.cohesive_states import State
 from ....cohesive.power_law import partial
 from ...._runtime.plain import log, log1p, sqrt, rule, MATH as np
 
-RULE_0 = rule(((16.0, 64), (inf, 128)))
+RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64), (18.03, 128)))
+RULE_1 = rule(((16.0, 64), (inf, 128)))
 
 
 def _opened(q, a, A, n):
-    """Gap of the normal contact at c, and its rate with c."""
-    return opening_power(lambda t: normal._slope(t, A, n), q, a, n)
+    v4 = hypot(a, q)
+    v6 = a > 0.0
+    v12 = asinh(q / (a if v6 else 1.0) if v6 else inf)
+    v16 = 40.0 / (n if n < 1.2 or n != n else 1.2)
+    v18 = asinh(v12 if v12 < v16 or v12 != v12 else v16)
+    v30 = n / 2.0 + 0.5
+    v32 = v30 + 1.75
+    v36 = (v30 + 0.5) * (v30 + 1.5)
+    v49 = 1.0 / (v32 * v32)
+    v91 = 1.7724538509055159 * n * A * ((v30 * (v30 + 1.0) / v36 if v30 < 1.0 else 1.0 - (v30 + 0.75) / v36) * sqrt(v32) * (1.0 + v49 * (((((((0.01524698625788054 * v49 + 0.5334320651111477) * v49 + 2.250488865813539) * v49 + 2.8612106440066865) * v49 + 1.3794681629043655) * v49 + 0.2596058532893223) * v49 + 0.015624999999999823) / ((((((3.278794792785737 * v49 + 49.328555418276075) * v49 + 167.28648538571198) * v49 + 195.37226190335065) * v49 + 90.69722535867314) * v49 + 16.763212110504565) * v49 + 1.0))))
+    v103 = []
+    v104 = []
+    if abs(v18) > 0.0:
+        for node, weight in RULE_0(v18 / 1.0):
+            v19 = node * v18
+            v20 = sinh(v19)
+            v21 = sinh(v20)
+            v22 = cosh(v20)
+            v23 = v4 / v22
+            v97 = v91 * pow(v23, n) / v23 / v22 * cosh(v19)
+            v101 = v97 * atan(v21) * (v21 / v22)
+            v102 = v97 / v22
+            v103.append(weight * v101)
+            v104.append(weight * v102)
+    v103 = fsum(v103) * v18
+    v104 = fsum(v104) * v18
+    return (0.6366197723675814 * v4 * v103, 0.6366197723675814 * v104)
 
 
 def _zone(a, A, n, E_star, dgamma, sigma_0):
@@ -76,7 +102,7 @@ def _pressure_of(r, a, q, A, n, E_star, dgamma, sigma_0):
                 v118 = 2.0 * v110
                 v123 = -v86
                 v138 = []
-                for node, weight in RULE_0(v115 / 1.0):
+                for node, weight in RULE_1(v115 / 1.0):
                     v117 = node * v115
                     if v85:
                         v126 = v110 - v117

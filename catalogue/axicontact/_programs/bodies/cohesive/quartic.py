@@ -2,22 +2,39 @@
 
 from __future__ import annotations
 
-from math import atan2, hypot, pow
+from math import atan2, cos, fsum, hypot, inf, pow, sin
 
 from ...._programs.bodies.normal import quartic as normal
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening, outer_radius, root_near, root_of_zone, still
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_near, root_of_zone, still
 from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii, radius_of_pull_off, radius_under
 from ...._runtime.physics.cohesive_states import State
 from ....cohesive.quartic import partial
-from ...._runtime.plain import sqrt, MATH as np
+from ...._runtime.plain import sqrt, rule, MATH as np
 
-SHORT = 16
+RULE_0 = rule(((0.45, 8), (inf, 16)))
 
 
 def _opened(q, a, A):
-    """Gap of the normal contact at c, and its rate with c."""
-    return opening(lambda t: normal._slope(t, A), q, a, SHORT)
+    v3 = hypot(a, q)
+    v4 = atan2(q, a)
+    v14 = 32.0 * A / 3.0
+    v23 = []
+    v24 = []
+    if abs(v4) > 0.0:
+        for node, weight in RULE_0(v4 / 1.0):
+            v6 = node * v4
+            v8 = 0.0 + v6
+            v9 = cos(v8)
+            v10 = v3 * v9
+            v18 = v14 * (v10 * (v10 * v10))
+            v21 = v18 * v8 * sin(v8)
+            v22 = v18 * v9
+            v23.append(weight * v21)
+            v24.append(weight * v22)
+    v23 = fsum(v23) * v4
+    v24 = fsum(v24) * v4
+    return (0.6366197723675814 * v3 * v23, 0.6366197723675814 * v24)
 
 
 def _zone(a, A, E_star, dgamma, sigma_0):

@@ -2,25 +2,84 @@
 
 from __future__ import annotations
 
-from math import asinh, atan, atan2, exp, expm1, fsum, hypot, inf, nextafter, tan
+from math import asinh, atan, atan2, cos, cosh, exp, expm1, fsum, hypot, inf, nextafter, sin, sinh, tan
 
 from ...._programs.bodies.normal import rounded_cone as normal
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening_beyond, opening_tip, outer_radius, root_near, root_of_zone, still
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_near, root_of_zone, still
 from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii_by, radius_of_pull_off, radius_under
 from ...._runtime.physics.cohesive_states import State
 from ....cohesive.rounded_cone import partial
 from ...._runtime.plain import sqrt, rule, MATH as np
 
-SHORT = 16
-RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
+RULE_0 = rule(((0.45, 8), (inf, 16)))
+RULE_1 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64), (18.03, 128)))
+RULE_2 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
 
 
 def _opened(q, a, theta, b):
-    """Gap of the normal contact at c, and its rate with c."""
-    tip, tip_rate = opening_tip(lambda t: normal._slope(t, theta, b), q, a, b, SHORT)
-    beyond, rate = opening_beyond(lambda t, root: normal._slope_beyond(t, root, theta, b), q, a, b)
-    return (tip + beyond, tip_rate + rate)
+    v4 = hypot(a, q)
+    v5 = atan2(q, a)
+    v6 = a < b
+    v7 = b - a
+    v12 = sqrt((v7 if v7 > 0.0 or v7 != v7 else 0.0) * (b + a))
+    v13 = q - v12
+    v17 = sqrt((v13 if v13 > 0.0 or v13 != v13 else 0.0) * (q + v12))
+    if v6:
+        v22 = (atan2(v17 if v6 else q, b) if v6 else v5) if v4 > b else 0.0
+        v24 = v22 if v22 < v5 or v22 != v22 else v5
+    else:
+        v24 = v5
+    v25 = v5 - v24
+    v33 = tan(theta)
+    v36 = 2.0 * v33 / b
+    v42 = []
+    v43 = []
+    if abs(v25) > 0.0:
+        for node, weight in RULE_0(v25 / 1.0):
+            v27 = node * v25
+            v28 = v24 + v27
+            v29 = cos(v28)
+            v31 = abs(v4 * v29)
+            v37 = v36 * (v31 if v31 < b or v31 != v31 else b)
+            v40 = v37 * v28 * sin(v28)
+            v41 = v37 * v29
+            v42.append(weight * v40)
+            v43.append(weight * v41)
+    v42 = fsum(v42) * v25
+    v43 = fsum(v43) * v25
+    v48 = a - b
+    v52 = sqrt((v48 if v48 > 0.0 or v48 != v48 else 0.0) * (a + b))
+    v54 = v17 if v6 else hypot(v52, q)
+    v55 = v54 if v6 else q
+    v57 = v54 if v55 > 0.0 else b
+    v59 = asinh(b / v57)
+    v63 = 1.5707963267948966 / v59
+    v64 = atan2(v52, v55) / v59
+    v65 = asinh(v63)
+    v79 = asinh(atan2(v55, v52) / v59 * (v63 + v64) / (v63 * sqrt(1.0 + v64 * v64) + v64 * sqrt(1.0 + v63 * v63)))
+    v81 = 2.0 * v59
+    v95 = b * b
+    v101 = 2.0 * b
+    v116 = []
+    v117 = []
+    if abs(v79) > 0.0:
+        for node, weight in RULE_1(v79 / 1.0):
+            v80 = node * v79
+            v83 = 0.5 * v80
+            v88 = v81 * cosh(v65 - v83) * sinh(v83)
+            v89 = cos(v88)
+            v92 = v57 * (v89 if v89 > 1e-17 or v89 != v89 else 1e-17)
+            v94 = v57 * sin(v88)
+            v98 = sqrt(v95 + v92 * v92)
+            v110 = v33 * (atan(v92 / b) + v101 / (v92 + v98)) * v92 * v59 * cosh(v65 - v80)
+            v114 = v110 * atan2(v94, v98) * (v94 / v98)
+            v115 = v110 / v4
+            v116.append(weight * v114)
+            v117.append(weight * v115)
+    v116 = fsum(v116) * v79
+    v117 = fsum(v117) * v79
+    return (0.6366197723675814 * v4 * v42 + 0.6366197723675814 * v116, 0.6366197723675814 * v43 + 0.6366197723675814 * v117)
 
 
 def _zone(a, theta, b, E_star, dgamma, sigma_0):
@@ -85,7 +144,7 @@ def _pressure_of(r, a, q, theta, b, E_star, dgamma, sigma_0):
             v71 = b * b
             v77 = 2.0 * b
             v84 = []
-            for node, weight in RULE_0(v48 / 1.0):
+            for node, weight in RULE_2(v48 / 1.0):
                 v60 = node * v48
                 v70 = v35 * (exp(-v60) * (v49 - v50 * expm1(-2.0 * (v48 - v60))) / v57)
                 v74 = sqrt(v71 + v70 * v70)

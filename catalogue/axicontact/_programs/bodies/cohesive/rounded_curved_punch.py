@@ -2,25 +2,82 @@
 
 from __future__ import annotations
 
-from math import asinh, atan, atan2, exp, expm1, fsum, hypot, inf, nextafter
+from math import asinh, atan, atan2, cos, cosh, exp, expm1, fsum, hypot, inf, nextafter, sin, sinh
 
 from ...._programs.bodies.normal import rounded_curved_punch as normal
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening_beyond, opening_tip, outer_radius, root_near, root_of_zone, still
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_near, root_of_zone, still
 from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii_by, radius_of_pull_off, radius_under
 from ...._runtime.physics.cohesive_states import State
 from ....cohesive.rounded_curved_punch import partial
 from ...._runtime.plain import sqrt, rule, MATH as np
 
-SHORT = 16
-RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
+RULE_0 = rule(((0.45, 8), (inf, 16)))
+RULE_1 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64), (18.03, 128)))
+RULE_2 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
 
 
 def _opened(q, a, R1, R2, b):
-    """Gap of the normal contact at c, and its rate with c."""
-    tip, tip_rate = opening_tip(lambda t: normal._slope(t, R1), q, a, b, SHORT)
-    beyond, rate = opening_beyond(lambda t, root: normal._slope_beyond(t, root, R1, R2, b), q, a, b)
-    return (tip + beyond, tip_rate + rate)
+    v5 = hypot(a, q)
+    v6 = atan2(q, a)
+    v7 = a < b
+    v8 = b - a
+    v13 = sqrt((v8 if v8 > 0.0 or v8 != v8 else 0.0) * (b + a))
+    v14 = q - v13
+    v18 = sqrt((v14 if v14 > 0.0 or v14 != v14 else 0.0) * (q + v13))
+    if v7:
+        v23 = (atan2(v18 if v7 else q, b) if v7 else v6) if v5 > b else 0.0
+        v25 = v23 if v23 < v6 or v23 != v23 else v6
+    else:
+        v25 = v6
+    v26 = v6 - v25
+    v41 = []
+    v42 = []
+    if abs(v26) > 0.0:
+        for node, weight in RULE_0(v26 / 1.0):
+            v28 = node * v26
+            v29 = v25 + v28
+            v30 = cos(v29)
+            v32 = abs(v5 * v30)
+            v36 = 2.0 * (v32 if v32 < b or v32 != v32 else b) / R1
+            v39 = v36 * v29 * sin(v29)
+            v40 = v36 * v30
+            v41.append(weight * v39)
+            v42.append(weight * v40)
+    v41 = fsum(v41) * v26
+    v42 = fsum(v42) * v26
+    v47 = a - b
+    v51 = sqrt((v47 if v47 > 0.0 or v47 != v47 else 0.0) * (a + b))
+    v53 = v18 if v7 else hypot(v51, q)
+    v54 = v53 if v7 else q
+    v56 = v53 if v54 > 0.0 else b
+    v58 = asinh(b / v56)
+    v62 = 1.5707963267948966 / v58
+    v63 = atan2(v51, v54) / v58
+    v64 = asinh(v62)
+    v78 = asinh(atan2(v54, v51) / v58 * (v62 + v63) / (v62 * sqrt(1.0 + v63 * v63) + v63 * sqrt(1.0 + v62 * v62)))
+    v80 = 2.0 * v58
+    v94 = b * b
+    v104 = b / R2
+    v117 = []
+    v118 = []
+    if abs(v78) > 0.0:
+        for node, weight in RULE_1(v78 / 1.0):
+            v79 = node * v78
+            v82 = 0.5 * v79
+            v87 = v80 * cosh(v64 - v82) * sinh(v82)
+            v88 = cos(v87)
+            v91 = v56 * (v88 if v88 > 1e-17 or v88 != v88 else 1e-17)
+            v93 = v56 * sin(v87)
+            v97 = sqrt(v94 + v91 * v91)
+            v111 = (2.0 * v97 / R1 + 2.0 * v91 / R2 - v104 * atan2(v91, b)) * v91 * v58 * cosh(v64 - v79)
+            v115 = v111 * atan2(v93, v97) * (v93 / v97)
+            v116 = v111 / v5
+            v117.append(weight * v115)
+            v118.append(weight * v116)
+    v117 = fsum(v117) * v78
+    v118 = fsum(v118) * v78
+    return (0.6366197723675814 * v5 * v41 + 0.6366197723675814 * v117, 0.6366197723675814 * v42 + 0.6366197723675814 * v118)
 
 
 def _zone(a, R1, R2, b, E_star, dgamma, sigma_0):
@@ -98,7 +155,7 @@ def _pressure_of(r, a, q, R1, R2, b, E_star, dgamma, sigma_0):
             v70 = b * b
             v80 = b / R2
             v85 = []
-            for node, weight in RULE_0(v47 / 1.0):
+            for node, weight in RULE_2(v47 / 1.0):
                 v59 = node * v47
                 v69 = v34 * (exp(-v59) * (v48 - v49 * expm1(-2.0 * (v47 - v59))) / v56)
                 v73 = sqrt(v70 + v69 * v69)

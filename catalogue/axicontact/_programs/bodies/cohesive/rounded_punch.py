@@ -2,23 +2,61 @@
 
 from __future__ import annotations
 
-from math import asinh, atan, atan2, exp, expm1, fsum, hypot, inf, nan, nextafter
+from math import asinh, atan, atan2, cos, cosh, exp, expm1, fsum, hypot, inf, nan, nextafter, sin, sinh
 
 from ...._programs.bodies.normal import rounded_punch as normal
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening_beyond, outer_radius, root_near, root_of_zone, still
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_near, root_of_zone, still
 from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii_by, radius_of_pull_off, radius_under
 from ...._runtime.physics.cohesive_states import State
 from ....cohesive.rounded_punch import partial
 from ...._runtime.plain import sqrt, rule, MATH as np
 
-RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
+RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64), (18.03, 128)))
+RULE_1 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
 
 
 def _opened(q, a, R, b):
-    """Gap of the normal contact at c, and its rate with c."""
-    beyond, rate = opening_beyond(lambda t, root: normal._slope_beyond(t, root, R, b), q, a, b)
-    return (beyond, rate)
+    v4 = hypot(a, q)
+    v5 = a - b
+    v10 = sqrt((v5 if v5 > 0.0 or v5 != v5 else 0.0) * (a + b))
+    v16 = a < b
+    if v16:
+        v11 = b - a
+        v15 = sqrt((v11 if v11 > 0.0 or v11 != v11 else 0.0) * (b + a))
+        v17 = q - v15
+        v23 = sqrt((v17 if v17 > 0.0 or v17 != v17 else 0.0) * (q + v15))
+    else:
+        v23 = hypot(v10, q)
+    v24 = v23 if v16 else q
+    v26 = v23 if v24 > 0.0 else b
+    v28 = asinh(b / v26)
+    v32 = 1.5707963267948966 / v28
+    v33 = atan2(v10, v24) / v28
+    v34 = asinh(v32)
+    v49 = asinh(atan2(v24, v10) / v28 * (v32 + v33) / (v32 * sqrt(1.0 + v33 * v33) + v33 * sqrt(1.0 + v32 * v32)))
+    v52 = 2.0 * v28
+    v66 = b * b
+    v73 = b / R
+    v86 = []
+    v87 = []
+    if abs(v49) > 0.0:
+        for node, weight in RULE_0(v49 / 1.0):
+            v50 = node * v49
+            v54 = 0.5 * v50
+            v59 = v52 * cosh(v34 - v54) * sinh(v54)
+            v60 = cos(v59)
+            v63 = v26 * (v60 if v60 > 1e-17 or v60 != v60 else 1e-17)
+            v65 = v26 * sin(v59)
+            v69 = sqrt(v66 + v63 * v63)
+            v80 = (2.0 * v63 / R - v73 * atan2(v63, b)) * v63 * v28 * cosh(v34 - v50)
+            v84 = v80 * atan2(v65, v69) * (v65 / v69)
+            v85 = v80 / v4
+            v86.append(weight * v84)
+            v87.append(weight * v85)
+    v86 = fsum(v86) * v49
+    v87 = fsum(v87) * v49
+    return (0.6366197723675814 * v86, 0.6366197723675814 * v87)
 
 
 def _zone(a, R, b, E_star, dgamma, sigma_0):
@@ -96,7 +134,7 @@ def _pressure_of(r, a, q, R, b, E_star, dgamma, sigma_0):
                     v58 = b * b
                     v65 = b / R
                     v70 = []
-                    for node, weight in RULE_0(v34 / 1.0):
+                    for node, weight in RULE_1(v34 / 1.0):
                         v47 = node * v34
                         v57 = v21 * (exp(-v47) * (v36 - v37 * expm1(-2.0 * (v34 - v47))) / v44)
                         v69 = (2.0 * v57 / R - v65 * atan2(v57, b)) * v57 / sqrt(v58 + v57 * v57)

@@ -2,22 +2,38 @@
 
 from __future__ import annotations
 
-from math import atan2, hypot, pow
+from math import atan2, cos, fsum, hypot, inf, pow, sin
 
 from ...._programs.bodies.normal import sextic as normal
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening, outer_radius, root_near, root_of_zone, still
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_near, root_of_zone, still
 from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii, radius_of_pull_off, radius_under
 from ...._runtime.physics.cohesive_states import State
 from ....cohesive.sextic import partial
-from ...._runtime.plain import sqrt, MATH as np
+from ...._runtime.plain import sqrt, rule, MATH as np
 
-SHORT = 16
+RULE_0 = rule(((0.45, 8), (inf, 16)))
 
 
 def _opened(q, a, A):
-    """Gap of the normal contact at c, and its rate with c."""
-    return opening(lambda t: normal._slope(t, A), q, a, SHORT)
+    v3 = hypot(a, q)
+    v4 = atan2(q, a)
+    v14 = 96.0 * A / 5.0
+    v21 = []
+    v22 = []
+    if abs(v4) > 0.0:
+        for node, weight in RULE_0(v4 / 1.0):
+            v6 = node * v4
+            v8 = 0.0 + v6
+            v9 = cos(v8)
+            v16 = v14 * pow(v3 * v9, 5.0)
+            v19 = v16 * v8 * sin(v8)
+            v20 = v16 * v9
+            v21.append(weight * v19)
+            v22.append(weight * v20)
+    v21 = fsum(v21) * v4
+    v22 = fsum(v22) * v4
+    return (0.6366197723675814 * v3 * v21, 0.6366197723675814 * v22)
 
 
 def _zone(a, A, E_star, dgamma, sigma_0):

@@ -2,21 +2,49 @@
 
 from __future__ import annotations
 
-from math import atan2, hypot
+from math import asinh, atan2, cos, cosh, fsum, hypot, inf, sin, sinh
 
 from ...._programs.bodies.normal import sphere as normal
 from ...._programs.bodies._runtime.integrals import difference_root
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening_below, outer_radius, root_near, root_of_zone, still, tension_of_zone, zone_within
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_near, root_of_zone, still, tension_of_zone, zone_within
 from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii_up_to, radius_of_pull_off, radius_under
 from ...._runtime.physics.cohesive_states import State
 from ....cohesive.sphere import partial
-from ...._runtime.plain import log1p, MATH as np
+from ...._runtime.plain import log1p, sqrt, rule, MATH as np
+
+RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64), (18.03, 128)))
 
 
 def _opened(q, a, R):
-    """Gap of the normal contact at c, and its rate with c."""
-    return opening_below(lambda t, root: normal._slope(t, root, R), q, a, R)
+    v3 = hypot(a, q)
+    v5 = R - a
+    v10 = sqrt((v5 if v5 > 0.0 or v5 != v5 else 0.0) * (R + a))
+    v11 = v10 - q
+    v15 = sqrt((v11 if v11 > 0.0 or v11 != v11 else 0.0) * (v10 + q))
+    v17 = asinh(v15 / v3)
+    v18 = v17 > 0.0
+    v20 = v17 if v18 else 1.0
+    v22 = asinh(atan2(q, a) / v20)
+    v45 = []
+    v46 = []
+    if abs(v22) > 0.0:
+        for node, weight in RULE_0(v22 / 0.7):
+            v24 = node * v22
+            v26 = v20 * sinh(v24)
+            v27 = sin(v26)
+            v28 = cos(v26)
+            v29 = v3 * v28
+            v31 = hypot(v15, v3 * v27)
+            v41 = (asinh(v29 / v31) + R * v29 / (v31 * v31)) * v20 * cosh(v24)
+            v43 = v41 * v26 * v27
+            v44 = v41 * v28
+            v45.append(weight * v43)
+            v46.append(weight * v44)
+    v45 = fsum(v45) * v22
+    v46 = fsum(v46) * v22
+    v49 = 0.6366197723675814 if v18 else inf
+    return (v49 * v3 * v45, v49 * v46)
 
 
 def _zone(a, R, E_star, dgamma, sigma_0):

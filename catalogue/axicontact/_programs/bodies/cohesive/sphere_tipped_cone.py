@@ -2,26 +2,92 @@
 
 from __future__ import annotations
 
-from math import asinh, atan2, cos, exp, expm1, fsum, hypot, inf, sin, tanh
+from math import asinh, atan2, cos, cosh, exp, expm1, fsum, hypot, inf, sin, sinh, tanh
 
 from ...._programs.bodies.normal import sphere_tipped_cone as normal
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening_beyond, opening_tip, outer_radius, root_near, root_of_zone, still, tension_of_zone
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_near, root_of_zone, still, tension_of_zone
 from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii_by, radius_of_pull_off, radius_under
 from ...._runtime.physics.cohesive_states import State
 from ....cohesive.sphere_tipped_cone import partial
 from ...._runtime.plain import log1p, sqrt, rule, MATH as np
 
-TIP = 64
 RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
+RULE_1 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64), (18.03, 128)))
 
 
 def _opened(q, a, R, theta):
-    """Gap of the normal contact at c, and its rate with c."""
-    b = R * np.sin(theta)
-    tip, tip_rate = opening_tip(lambda t: normal._slope(t, np.sqrt((R - t) * (R + t)), R), q, a, b, TIP)
-    beyond, rate = opening_beyond(lambda t, root: normal._slope_beyond(t, root, R, theta), q, a, b)
-    return (tip + beyond, tip_rate + rate)
+    v5 = R * sin(theta)
+    v6 = hypot(a, q)
+    v7 = atan2(q, a)
+    v8 = a < v5
+    v9 = v5 - a
+    v14 = sqrt((v9 if v9 > 0.0 or v9 != v9 else 0.0) * (v5 + a))
+    v15 = q - v14
+    v19 = sqrt((v15 if v15 > 0.0 or v15 != v15 else 0.0) * (q + v14))
+    if v8:
+        v24 = (atan2(v19 if v8 else q, v5) if v8 else v7) if v6 > v5 else 0.0
+        v26 = v24 if v24 < v7 or v24 != v24 else v7
+    else:
+        v26 = v7
+    v27 = v7 - v26
+    v28 = v6 if v6 > R or v6 != v6 else R
+    v36 = 0.6366197723675814 * (R - v5) / sqrt((v28 - v5) * (v28 + v5))
+    v40 = v27 / 9.0 + 1e-300
+    v41 = v36 if v36 > v40 or v36 != v36 else v40
+    v63 = []
+    v64 = []
+    if abs(v27) > 0.0:
+        for node, weight in RULE_0(v27 / v41):
+            v42 = node * v27
+            v43 = v26 + v42
+            v44 = cos(v43)
+            v46 = abs(v6 * v44)
+            v47 = v46 if v46 < v5 or v46 != v46 else v5
+            v51 = sqrt((R - v47) * (R + v47))
+            v58 = asinh(v47 / v51) + R * v47 / (v51 * v51)
+            v61 = v58 * v43 * sin(v43)
+            v62 = v58 * v44
+            v63.append(weight * v61)
+            v64.append(weight * v62)
+    v63 = fsum(v63) * v27
+    v64 = fsum(v64) * v27
+    v68 = a - v5
+    v72 = sqrt((v68 if v68 > 0.0 or v68 != v68 else 0.0) * (a + v5))
+    v74 = v19 if v8 else hypot(v72, q)
+    v75 = v74 if v8 else q
+    v77 = v74 if v75 > 0.0 else v5
+    v79 = asinh(v5 / v77)
+    v83 = 1.5707963267948966 / v79
+    v84 = atan2(v72, v75) / v79
+    v85 = asinh(v83)
+    v100 = asinh(atan2(v75, v72) / v79 * (v83 + v84) / (v83 * sqrt(1.0 + v84 * v84) + v84 * sqrt(1.0 + v83 * v83)))
+    v102 = 2.0 * v79
+    v116 = v5 * v5
+    v121 = R * cos(theta)
+    v123 = v5 * v5
+    v127 = v123 / (v121 + R)
+    v135 = v123 * R
+    v136 = v121 * v121
+    v153 = []
+    v154 = []
+    if abs(v100) > 0.0:
+        for node, weight in RULE_1(v100 / 1.0):
+            v101 = node * v100
+            v104 = 0.5 * v101
+            v109 = v102 * cosh(v85 - v104) * sinh(v104)
+            v110 = cos(v109)
+            v113 = v77 * (v110 if v110 > 1e-17 or v110 != v110 else 1e-17)
+            v115 = v77 * sin(v109)
+            v119 = sqrt(v116 + v113 * v113)
+            v147 = (log1p((v123 / (v113 + v119) + v127) / (v113 + v121)) + v5 * atan2(v113, v5) / v121 + v135 / (v119 * v136 + R * v113 * v121)) * v113 * v79 * cosh(v85 - v101)
+            v151 = v147 * atan2(v115, v119) * (v115 / v119)
+            v152 = v147 / v6
+            v153.append(weight * v151)
+            v154.append(weight * v152)
+    v153 = fsum(v153) * v100
+    v154 = fsum(v154) * v100
+    return (0.6366197723675814 * v6 * v63 + 0.6366197723675814 * v153, 0.6366197723675814 * v64 + 0.6366197723675814 * v154)
 
 
 def _zone(a, R, theta, E_star, dgamma, sigma_0):

@@ -10,10 +10,6 @@ from ...._runtime.plain import sqrt, rule, MATH as np
 RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
 
 
-def _slope(t, R1):
-    return 2.0 * t / R1
-
-
 def _slope_beyond(t, root, R1, R2, b):
     v8 = R1 - R2
     v10 = R1 * R2

@@ -7,10 +7,6 @@ from math import atan, tan
 from ...._runtime.plain import sqrt
 
 
-def _slope(t, theta):
-    return 3.141592653589793 * tan(theta) / 2.0
-
-
 def _depth(a, theta):
     return 3.141592653589793 * tan(theta) * a / 2.0
 

@@ -7,10 +7,6 @@ from math import cbrt
 from ...._runtime.plain import sqrt
 
 
-def _slope(t, R):
-    return 2.0 * t / R
-
-
 def _depth(a, R):
     return a * a / R
 

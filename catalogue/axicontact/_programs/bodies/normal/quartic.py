@@ -7,10 +7,6 @@ from math import inf, pow
 from ...._runtime.plain import sqrt
 
 
-def _slope(t, A):
-    return 32.0 * A / 3.0 * (t * (t * t))
-
-
 def _depth(a, A):
     v8 = a * a
     return 8.0 * A / 3.0 * (v8 * v8)

@@ -10,10 +10,6 @@ from ...._runtime.plain import sqrt, rule, MATH as np
 RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
 
 
-def _slope(t, theta, b):
-    return 2.0 * tan(theta) / b * t
-
-
 def _slope_beyond(t, root, theta, b):
     return tan(theta) * (atan(root / b) + 2.0 * b / (root + t))
 

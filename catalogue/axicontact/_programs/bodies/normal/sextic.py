@@ -7,10 +7,6 @@ from math import inf, pow
 from ...._runtime.plain import sqrt
 
 
-def _slope(t, A):
-    return 96.0 * A / 5.0 * pow(t, 5.0)
-
-
 def _depth(a, A):
     return 16.0 * A / 5.0 * pow(a, 6.0)
 

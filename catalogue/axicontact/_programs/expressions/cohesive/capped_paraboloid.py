@@ -3,6 +3,7 @@
 from ...._programs.expressions._runtime.integrals import difference_root
 from ...._programs.expressions._runtime.physics.cohesive import lift_of_zone
 from ...._programs.expressions._runtime.physics.cohesive import pull_of_zone
+from ...._programs.expressions._runtime.physics.cohesive import ring_of_zone
 from ...._programs.expressions._runtime.physics.cohesive import tension_of_zone
 from ...._programs.expressions.normal.capped_paraboloid import depth as normal_depth
 from ...._programs.expressions.normal.capped_paraboloid import displacement as normal_displacement
@@ -17,7 +18,6 @@ def work_of_separation(xp, a, c, R1, R2, b, E_star, sigma_0):
     v42, v43 = nodes_along(xp, 1, a, c, R1, R2, b, E_star, sigma_0)
     v1 = difference_root(xp, c, a)
     v2 = xp.hypot(a, v1)
-    v4 = xp.arctan2(v1, a)
     v5 = a < b
     v6 = xp.where(v5, a, 0.5 * b)
     v7 = difference_root(xp, c, v6)
@@ -40,150 +40,212 @@ def work_of_separation(xp, a, c, R1, R2, b, E_star, sigma_0):
     v37 = xp.where(v5, 2.0 * b, a)
     v39 = xp.arctan2(difference_root(xp, c, v37), v37)
     v40 = xp.where(v5, xp.minimum(v34, xp.arctan2(v7, v6)), v39)
-    v41 = v4 - v40
+    v41 = xp.arctan2(v1, a) - v40
     v45 = v40 + v42 * v41
-    v53 = 2.0 * xp.minimum(v2 * xp.cos(v45), b) / R1 * v45 * xp.sin(v45)
-    v56 = xp.where(v5, a, 0.5 * b)
-    v57 = v56 < b
-    v58 = xp.where(v57, v56, 0.5 * b)
-    v59 = difference_root(xp, c, v58)
-    v60 = difference_root(xp, b, v58)
-    v64 = xp.maximum(v59 - v60, 0.0) * (v59 + v60)
-    v65 = v64 > 0.0
-    v69 = xp.where(v57, 2.0 * b, v56)
-    v72 = xp.hypot(difference_root(xp, v69, b), difference_root(xp, c, v69))
-    v73 = xp.where(v57, xp.where(v65, xp.sqrt(xp.where(v65, v64, 1.0)), 0.0), v72)
-    v76 = xp.where(v5, v73, difference_root(xp, c, xp.where(v5, 2.0 * b, a)))
-    v77 = v76 > 0.0
-    v78 = xp.where(v77, v76, 1.0)
-    v79 = v78 > 0.0
-    v81 = xp.where(v79, xp.where(v79, v78, 1.0), b)
-    v82 = difference_root(xp, a, b)
-    v84 = xp.where(v79, v78, 1.0)
-    v85 = xp.where(v5, a, 0.5 * b)
-    v86 = difference_root(xp, c, v85)
-    v87 = difference_root(xp, b, v85)
-    v91 = xp.maximum(v86 - v87, 0.0) * (v86 + v87)
-    v92 = v91 > 0.0
-    v96 = xp.where(v5, 2.0 * b, a)
-    v99 = xp.hypot(difference_root(xp, v96, b), difference_root(xp, c, v96))
-    v101 = xp.where(v79, xp.where(v5, xp.where(v92, xp.sqrt(xp.where(v92, v91, 1.0)), 0.0), v99), b)
-    v103 = xp.arcsinh(b / v101)
-    v105 = 1.5707963267948966 / v103
-    v107 = xp.arctan2(v82, v81) / v103
-    v118 = v105 * xp.sqrt(1.0 + v107 * v107) + v107 * xp.sqrt(1.0 + v105 * v105)
-    v120 = xp.arcsinh(xp.arctan2(v81, v82) / v103 * (v105 + v107) / v118)
-    v121 = v42 * v120
-    v124 = xp.arcsinh(v105)
-    v125 = 0.5 * v121
-    v130 = 2.0 * v103 * xp.cosh(v124 - v125) * xp.sinh(v125)
-    v132 = v101 * xp.cos(v130)
-    v135 = xp.sqrt(b * b + v132 * v132)
-    v143 = v101 * xp.sin(v130)
-    v141 = normal_slope_beyond(xp, v135, v132, R1, R2, b) * v132 * v103 * xp.cosh(v124 - v121)
-    v148 = v120 * xp.sum(v43 * (v141 * xp.arctan2(v143, v135) * (v143 / v135)), axis=0)
-    v55 = 0.6366197723675814 * v2 * (v41 * xp.sum(v43 * v53, axis=0))
-    v158 = 1.2732395447351628 * (sigma_0 / E_star) * v1 * (v4 - v1 / (v2 + a))
-    return sigma_0 * (v55 + xp.where(v77, 0.6366197723675814 * v148, 0.0) + v158)
+    v54 = 2.0 * xp.minimum(xp.absolute(v2 * xp.cos(v45)), b) / R1 * v45 * xp.sin(v45)
+    v57 = xp.where(v5, a, 0.5 * b)
+    v58 = v57 < b
+    v59 = xp.where(v58, v57, 0.5 * b)
+    v60 = difference_root(xp, c, v59)
+    v61 = difference_root(xp, b, v59)
+    v65 = xp.maximum(v60 - v61, 0.0) * (v60 + v61)
+    v66 = v65 > 0.0
+    v70 = xp.where(v58, 2.0 * b, v57)
+    v73 = xp.hypot(difference_root(xp, v70, b), difference_root(xp, c, v70))
+    v74 = xp.where(v58, xp.where(v66, xp.sqrt(xp.where(v66, v65, 1.0)), 0.0), v73)
+    v77 = xp.where(v5, v74, difference_root(xp, c, xp.where(v5, 2.0 * b, a)))
+    v78 = difference_root(xp, a, b)
+    v80 = v77 > 0.0
+    v81 = xp.where(v80, v77, 1.0)
+    v82 = xp.where(v5, a, 0.5 * b)
+    v83 = difference_root(xp, c, v82)
+    v84 = difference_root(xp, b, v82)
+    v88 = xp.maximum(v83 - v84, 0.0) * (v83 + v84)
+    v89 = v88 > 0.0
+    v93 = xp.where(v5, 2.0 * b, a)
+    v96 = xp.hypot(difference_root(xp, v93, b), difference_root(xp, c, v93))
+    v98 = xp.where(v80, xp.where(v5, xp.where(v89, xp.sqrt(xp.where(v89, v88, 1.0)), 0.0), v96), b)
+    v100 = xp.arcsinh(b / v98)
+    v102 = 1.5707963267948966 / v100
+    v104 = xp.arctan2(v78, v77) / v100
+    v115 = v102 * xp.sqrt(1.0 + v104 * v104) + v104 * xp.sqrt(1.0 + v102 * v102)
+    v117 = xp.arcsinh(xp.arctan2(v77, v78) / v100 * (v102 + v104) / v115)
+    v118 = v42 * v117
+    v121 = xp.arcsinh(v102)
+    v122 = 0.5 * v118
+    v127 = 2.0 * v100 * xp.cosh(v121 - v122) * xp.sinh(v122)
+    v130 = v98 * xp.maximum(xp.cos(v127), 1e-17)
+    v133 = xp.sqrt(b * b + v130 * v130)
+    v141 = v98 * xp.sin(v127)
+    v139 = normal_slope_beyond(xp, v133, v130, R1, R2, b) * v130 * v100 * xp.cosh(v121 - v118)
+    v146 = v117 * xp.sum(v43 * (v139 * xp.arctan2(v141, v133) * (v141 / v133)), axis=0)
+    v148 = 0.6366197723675814 * v2 * (v41 * xp.sum(v43 * v54, axis=0)) + 0.6366197723675814 * v146
+    return sigma_0 * (v148 + ring_of_zone(xp, v1, a, E_star, sigma_0))
 
 
 def zone(xp, a, R1, R2, b, E_star, dgamma, sigma_0):
-    v50, v51 = nodes_along(xp, 1, a, R1, R2, b, E_star, dgamma, sigma_0)
+    v78, v79 = nodes_along(xp, 1, a, R1, R2, b, E_star, dgamma, sigma_0)
     v1 = dgamma / sigma_0
     v4 = 0.7853981633974483 * v1 * (E_star / sigma_0)
-    v6 = 0.5 * v4 / 0.5707963267948966
+    v5 = 0.8759691969420544 * v4
+    v8 = xp.sqrt(v4)
+    v12 = xp.minimum(v5 + xp.hypot(v5, xp.sqrt(2.0 * a) * v8), xp.inf)
+    v13 = xp.hypot(a, v12)
+    v16 = a < b
+    v17 = xp.where(v16, a, 0.5 * b)
+    v23 = xp.minimum(v5 + xp.hypot(v5, xp.sqrt(2.0 * v17) * v8), xp.inf)
+    v24 = xp.hypot(v17, v23)
+    v25 = v24 > b
+    v26 = xp.where(v25, v24, 2.0 * b)
+    v27 = v17 < b
+    v28 = xp.where(v27, v17, 0.5 * b)
+    v29 = v28 < b
+    v30 = xp.where(v29, v28, 0.5 * b)
+    v36 = xp.minimum(v5 + xp.hypot(v5, xp.sqrt(2.0 * v30) * v8), xp.inf)
+    v37 = difference_root(xp, b, v30)
+    v41 = xp.maximum(v36 - v37, 0.0) * (v36 + v37)
+    v42 = v41 > 0.0
+    v52 = xp.minimum(v5 + xp.hypot(v5, xp.sqrt(2.0 * xp.where(v29, 2.0 * b, v28)) * v8), xp.inf)
+    v55 = xp.where(v27, 2.0 * b, v17)
+    v62 = xp.arctan2(xp.minimum(v5 + xp.hypot(v5, xp.sqrt(2.0 * v55) * v8), xp.inf), v55)
+    v54 = xp.arctan2(xp.where(v29, xp.where(v42, xp.sqrt(xp.where(v42, v41, 1.0)), 0.0), v52), b)
+    v64 = xp.where(v25, 0.5 * b, v24)
+    v68 = xp.where(v16, 2.0 * b, a)
+    v67 = xp.minimum(xp.where(v25, xp.where(v27, v54, v62), 0.0), xp.arctan2(v23, v17))
+    v75 = xp.arctan2(xp.minimum(v5 + xp.hypot(v5, xp.sqrt(2.0 * v68) * v8), xp.inf), v68)
+    v76 = xp.where(v16, v67, v75)
+    v77 = xp.arctan2(v12, a) - v76
+    v81 = v76 + v78 * v77
+    v90 = 2.0 * xp.minimum(xp.absolute(v13 * xp.cos(v81)), b) / R1 * v81 * xp.sin(v81)
+    v93 = xp.where(v16, a, 0.5 * b)
+    v94 = v93 < b
+    v95 = xp.where(v94, v93, 0.5 * b)
+    v101 = xp.minimum(v5 + xp.hypot(v5, xp.sqrt(2.0 * v95) * v8), xp.inf)
+    v102 = difference_root(xp, b, v95)
+    v106 = xp.maximum(v101 - v102, 0.0) * (v101 + v102)
+    v107 = v106 > 0.0
+    v111 = xp.where(v94, 2.0 * b, v93)
+    v118 = xp.minimum(v5 + xp.hypot(v5, xp.sqrt(2.0 * v111) * v8), xp.inf)
+    v110 = xp.where(v107, xp.sqrt(xp.where(v107, v106, 1.0)), 0.0)
+    v127 = xp.minimum(v5 + xp.hypot(v5, xp.sqrt(2.0 * xp.where(v16, 2.0 * b, a)) * v8), xp.inf)
+    v128 = xp.where(v16, xp.where(v94, v110, xp.hypot(difference_root(xp, v111, b), v118)), v127)
+    v129 = difference_root(xp, a, b)
+    v131 = v128 > 0.0
+    v132 = xp.where(v131, v128, 1.0)
+    v133 = xp.where(v16, a, 0.5 * b)
+    v139 = xp.minimum(v5 + xp.hypot(v5, xp.sqrt(2.0 * v133) * v8), xp.inf)
+    v140 = difference_root(xp, b, v133)
+    v144 = xp.maximum(v139 - v140, 0.0) * (v139 + v140)
+    v145 = v144 > 0.0
+    v149 = xp.where(v16, 2.0 * b, a)
+    v156 = xp.minimum(v5 + xp.hypot(v5, xp.sqrt(2.0 * v149) * v8), xp.inf)
+    v148 = xp.where(v145, xp.sqrt(xp.where(v145, v144, 1.0)), 0.0)
+    v159 = xp.where(v131, xp.where(v16, v148, xp.hypot(difference_root(xp, v149, b), v156)), b)
+    v161 = xp.arcsinh(b / v159)
+    v163 = 1.5707963267948966 / v161
+    v165 = xp.arctan2(v129, v128) / v161
+    v176 = v163 * xp.sqrt(1.0 + v165 * v165) + v165 * xp.sqrt(1.0 + v163 * v163)
+    v178 = xp.arcsinh(xp.arctan2(v128, v129) / v161 * (v163 + v165) / v176)
+    v179 = v78 * v178
+    v182 = xp.arcsinh(v163)
+    v183 = 0.5 * v179
+    v188 = 2.0 * v161 * xp.cosh(v182 - v183) * xp.sinh(v183)
+    v191 = v159 * xp.maximum(xp.cos(v188), 1e-17)
+    v194 = xp.sqrt(b * b + v191 * v191)
+    v202 = v159 * xp.sin(v188)
+    v200 = normal_slope_beyond(xp, v194, v191, R1, R2, b) * v191 * v161 * xp.cosh(v182 - v179)
+    v207 = v178 * xp.sum(v79 * (v200 * xp.arctan2(v202, v194) * (v202 / v194)), axis=0)
+    v209 = 0.6366197723675814 * v13 * (v77 * xp.sum(v79 * v90, axis=0)) + 0.6366197723675814 * v207
+    v210 = sigma_0 / dgamma
+    v212 = v209 > 0.0
+    v213 = xp.where(v212, v209, 1.0)
+    v214 = v213 > 0.0
+    v222 = xp.cos(v76 + v78 * v77)
+    v229 = v77 * xp.sum(v79 * (2.0 * xp.minimum(xp.absolute(v13 * v222), b) / R1 * v222), axis=0)
+    v231 = v78 * v178
+    v234 = xp.arcsinh(v163)
+    v235 = 0.5 * v231
+    v242 = xp.maximum(xp.cos(2.0 * v161 * xp.cosh(v234 - v235) * xp.sinh(v235)), 1e-17)
+    v243 = v159 * v242
+    v249 = normal_slope_beyond(xp, xp.sqrt(b * b + v243 * v243), v243, R1, R2, b) * v243 * v161
+    v255 = 0.6366197723675814 * (v178 * xp.sum(v79 * (v249 * xp.cosh(v234 - v231) / v13), axis=0))
+    v219 = v12 / xp.where(v214, xp.where(v214, v213, 1.0), 1.0) * (v12 / v13)
+    v258 = xp.where(v212, v219 * (0.6366197723675814 * v229 + v255), 1.0)
+    v260 = 1.0 + a / v13
+    v262 = 0.5 * (v258 + v260)
+    v268 = (ring_of_zone(xp, v12, a, E_star, sigma_0) * v210) ** (v262 / v260)
 
-    def f13(v14):
-        v15 = xp.hypot(a, v14)
-        v17 = xp.arctan2(v14, a)
-        v18 = a < b
-        v19 = xp.where(v18, a, 0.5 * b)
-        v20 = xp.hypot(v19, v14)
-        v21 = v20 > b
-        v22 = xp.where(v21, v20, 2.0 * b)
-        v23 = v19 < b
-        v24 = xp.where(v23, v19, 0.5 * b)
-        v25 = v24 < b
-        v27 = difference_root(xp, b, xp.where(v25, v24, 0.5 * b))
-        v31 = xp.maximum(v14 - v27, 0.0) * (v14 + v27)
-        v32 = v31 > 0.0
-        v36 = xp.where(v25, 2.0 * b, v24)
-        v38 = xp.arctan2(xp.where(v25, xp.where(v32, xp.sqrt(xp.where(v32, v31, 1.0)), 0.0), v14), b)
-        v42 = xp.where(v21, 0.5 * b, v20)
-        v43 = xp.where(v21, xp.where(v23, v38, xp.arctan2(v14, xp.where(v23, 2.0 * b, v19))), 0.0)
-        v47 = xp.arctan2(v14, xp.where(v18, 2.0 * b, a))
-        v48 = xp.where(v18, xp.minimum(v43, xp.arctan2(v14, v19)), v47)
-        v49 = v17 - v48
-        v53 = v48 + v50 * v49
-        v61 = 2.0 * xp.minimum(v15 * xp.cos(v53), b) / R1 * v53 * xp.sin(v53)
-        v64 = xp.where(v18, a, 0.5 * b)
-        v65 = v64 < b
-        v67 = difference_root(xp, b, xp.where(v65, v64, 0.5 * b))
-        v71 = xp.maximum(v14 - v67, 0.0) * (v14 + v67)
-        v72 = v71 > 0.0
-        v78 = xp.hypot(difference_root(xp, xp.where(v65, 2.0 * b, v64), b), v14)
-        v80 = xp.where(v18, 2.0 * b, a)
-        v79 = xp.where(v65, xp.where(v72, xp.sqrt(xp.where(v72, v71, 1.0)), 0.0), v78)
-        v81 = xp.where(v18, v79, v14)
-        v82 = v81 > 0.0
-        v83 = xp.where(v82, v81, 1.0)
-        v84 = v83 > 0.0
-        v86 = xp.where(v84, xp.where(v84, v83, 1.0), b)
-        v87 = difference_root(xp, a, b)
-        v89 = xp.where(v84, v83, 1.0)
-        v91 = difference_root(xp, b, xp.where(v18, a, 0.5 * b))
-        v95 = xp.maximum(v14 - v91, 0.0) * (v14 + v91)
-        v96 = v95 > 0.0
-        v102 = xp.hypot(difference_root(xp, xp.where(v18, 2.0 * b, a), b), v14)
-        v103 = xp.where(v18, xp.where(v96, xp.sqrt(xp.where(v96, v95, 1.0)), 0.0), v102)
-        v104 = xp.where(v84, v103, b)
-        v106 = xp.arcsinh(b / v104)
-        v108 = 1.5707963267948966 / v106
-        v110 = xp.arctan2(v87, v86) / v106
-        v121 = v108 * xp.sqrt(1.0 + v110 * v110) + v110 * xp.sqrt(1.0 + v108 * v108)
-        v123 = xp.arcsinh(xp.arctan2(v86, v87) / v106 * (v108 + v110) / v121)
-        v124 = v50 * v123
-        v127 = xp.arcsinh(v108)
-        v128 = 0.5 * v124
-        v133 = 2.0 * v106 * xp.cosh(v127 - v128) * xp.sinh(v128)
-        v135 = v104 * xp.cos(v133)
-        v138 = xp.sqrt(b * b + v135 * v135)
-        v146 = v104 * xp.sin(v133)
-        v144 = normal_slope_beyond(xp, v138, v135, R1, R2, b) * v135 * v106 * xp.cosh(v127 - v124)
-        v151 = v123 * xp.sum(v51 * (v144 * xp.arctan2(v146, v138) * (v146 / v138)), axis=0)
-        v63 = 0.6366197723675814 * v15 * (v49 * xp.sum(v51 * v61, axis=0))
-        v156 = 1.2732395447351628 * (sigma_0 / E_star)
-        v159 = v14 / (v15 + a)
-        v162 = v63 + xp.where(v82, 0.6366197723675814 * v151, 0.0) + v156 * v14 * (v17 - v159)
-        v164 = v14 / v15
-        v168 = xp.cos(v48 + v50 * v49)
-        v174 = v49 * xp.sum(v51 * (2.0 * xp.minimum(v15 * v168, b) / R1 * v168), axis=0)
-        v176 = xp.where(v82, v81, 1.0)
-        v177 = v176 > 0.0
-        v179 = xp.where(v177, xp.where(v177, v176, 1.0), b)
-        v180 = difference_root(xp, a, b)
-        v182 = xp.where(v177, v176, 1.0)
-        v184 = difference_root(xp, b, xp.where(v18, a, 0.5 * b))
-        v188 = xp.maximum(v14 - v184, 0.0) * (v14 + v184)
-        v189 = v188 > 0.0
-        v195 = xp.hypot(difference_root(xp, xp.where(v18, 2.0 * b, a), b), v14)
-        v196 = xp.where(v18, xp.where(v189, xp.sqrt(xp.where(v189, v188, 1.0)), 0.0), v195)
-        v197 = xp.where(v177, v196, b)
-        v199 = xp.arcsinh(b / v197)
-        v201 = 1.5707963267948966 / v199
-        v203 = xp.arctan2(v180, v179) / v199
-        v214 = v201 * xp.sqrt(1.0 + v203 * v203) + v203 * xp.sqrt(1.0 + v201 * v201)
-        v216 = xp.arcsinh(xp.arctan2(v179, v180) / v199 * (v201 + v203) / v214)
-        v217 = v50 * v216
-        v220 = xp.arcsinh(v201)
-        v221 = 0.5 * v217
-        v228 = v197 * xp.cos(2.0 * v199 * xp.cosh(v220 - v221) * xp.sinh(v221))
-        v234 = normal_slope_beyond(xp, xp.sqrt(b * b + v228 * v228), v228, R1, R2, b) * v228 * v199
-        v240 = 0.6366197723675814 * (v216 * xp.sum(v51 * (v234 * xp.cosh(v220 - v217) / v15), axis=0))
-        v242 = 0.6366197723675814 * v174 + xp.where(v82, v240, 0.0)
-        return (v162, v14 / v162 * v164 * (v242 + v156 * (v17 / v164 - v164 * v159)))
-    v13 = xp.minimum(v6 + xp.sqrt(v6 ** 2.0 + 2.0 * a * v4), xp.inf)
-    return newton(xp, f13, v1, v13, xp.inf, 0.5, 4.0)
+    def f271(v274):
+        v275 = xp.hypot(a, v274)
+        v277 = xp.arctan2(v274, a)
+        v278 = xp.where(v16, a, 0.5 * b)
+        v279 = xp.hypot(v278, v274)
+        v280 = v279 > b
+        v281 = xp.where(v280, v279, 2.0 * b)
+        v282 = v278 < b
+        v283 = xp.where(v282, v278, 0.5 * b)
+        v284 = v283 < b
+        v286 = difference_root(xp, b, xp.where(v284, v283, 0.5 * b))
+        v290 = xp.maximum(v274 - v286, 0.0) * (v274 + v286)
+        v291 = v290 > 0.0
+        v295 = xp.where(v284, 2.0 * b, v283)
+        v296 = xp.where(v284, xp.where(v291, xp.sqrt(xp.where(v291, v290, 1.0)), 0.0), v274)
+        v301 = xp.where(v280, 0.5 * b, v279)
+        v300 = xp.where(v282, xp.arctan2(v296, b), xp.arctan2(v274, xp.where(v282, 2.0 * b, v278)))
+        v304 = xp.minimum(xp.where(v280, v300, 0.0), xp.arctan2(v274, v278))
+        v307 = xp.where(v16, v304, xp.arctan2(v274, xp.where(v16, 2.0 * b, a)))
+        v308 = v277 - v307
+        v310 = v307 + v78 * v308
+        v319 = 2.0 * xp.minimum(xp.absolute(v275 * xp.cos(v310)), b) / R1 * v310 * xp.sin(v310)
+        v322 = xp.where(v16, a, 0.5 * b)
+        v323 = v322 < b
+        v325 = difference_root(xp, b, xp.where(v323, v322, 0.5 * b))
+        v329 = xp.maximum(v274 - v325, 0.0) * (v274 + v325)
+        v330 = v329 > 0.0
+        v336 = xp.hypot(difference_root(xp, xp.where(v323, 2.0 * b, v322), b), v274)
+        v338 = xp.where(v16, 2.0 * b, a)
+        v337 = xp.where(v323, xp.where(v330, xp.sqrt(xp.where(v330, v329, 1.0)), 0.0), v336)
+        v339 = xp.where(v16, v337, v274)
+        v341 = v339 > 0.0
+        v342 = xp.where(v341, v339, 1.0)
+        v344 = difference_root(xp, b, xp.where(v16, a, 0.5 * b))
+        v348 = xp.maximum(v274 - v344, 0.0) * (v274 + v344)
+        v349 = v348 > 0.0
+        v355 = xp.hypot(difference_root(xp, xp.where(v16, 2.0 * b, a), b), v274)
+        v356 = xp.where(v16, xp.where(v349, xp.sqrt(xp.where(v349, v348, 1.0)), 0.0), v355)
+        v357 = xp.where(v341, v356, b)
+        v359 = xp.arcsinh(b / v357)
+        v361 = 1.5707963267948966 / v359
+        v363 = xp.arctan2(v129, v339) / v359
+        v374 = v361 * xp.sqrt(1.0 + v363 * v363) + v363 * xp.sqrt(1.0 + v361 * v361)
+        v376 = xp.arcsinh(xp.arctan2(v339, v129) / v359 * (v361 + v363) / v374)
+        v377 = v78 * v376
+        v380 = xp.arcsinh(v361)
+        v381 = 0.5 * v377
+        v386 = 2.0 * v359 * xp.cosh(v380 - v381) * xp.sinh(v381)
+        v389 = v357 * xp.maximum(xp.cos(v386), 1e-17)
+        v392 = xp.sqrt(b * b + v389 * v389)
+        v400 = v357 * xp.sin(v386)
+        v398 = normal_slope_beyond(xp, v392, v389, R1, R2, b) * v389 * v359 * xp.cosh(v380 - v377)
+        v405 = v376 * xp.sum(v79 * (v398 * xp.arctan2(v400, v392) * (v400 / v392)), axis=0)
+        v409 = 1.2732395447351628 * (sigma_0 / E_star)
+        v412 = v274 / (v275 + a)
+        v407 = 0.6366197723675814 * v275 * (v308 * xp.sum(v79 * v319, axis=0)) + 0.6366197723675814 * v405
+        v415 = v407 + v409 * v274 * (v277 - v412)
+        v417 = v274 / v275
+        v421 = xp.cos(v307 + v78 * v308)
+        v428 = v308 * xp.sum(v79 * (2.0 * xp.minimum(xp.absolute(v275 * v421), b) / R1 * v421), axis=0)
+        v430 = v78 * v376
+        v433 = xp.arcsinh(v361)
+        v434 = 0.5 * v430
+        v441 = xp.maximum(xp.cos(2.0 * v359 * xp.cosh(v433 - v434) * xp.sinh(v434)), 1e-17)
+        v442 = v357 * v441
+        v448 = normal_slope_beyond(xp, xp.sqrt(b * b + v442 * v442), v442, R1, R2, b) * v442 * v359
+        v454 = 0.6366197723675814 * (v376 * xp.sum(v79 * (v448 * xp.cosh(v433 - v430) / v275), axis=0))
+        v460 = 0.6366197723675814 * v428 + v454 + v409 * (v277 / v417 - v417 * v412)
+        return (v415, v274 / v415 * v417 * v460)
+    v273 = xp.minimum(v12 * ((v209 * v210) ** (v262 / v258) + v268) ** (-1.0 / v262), xp.inf)
+    return newton(xp, f271, v1, v273, xp.inf, 0.5, 4.0)
 
 
 def cohesive_radius(xp, a, R1, R2, b, E_star, dgamma, sigma_0):

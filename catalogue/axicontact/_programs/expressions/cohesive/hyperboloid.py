@@ -3,6 +3,7 @@
 from ...._programs.expressions._runtime.integrals import difference_root
 from ...._programs.expressions._runtime.physics.cohesive import lift_of_zone
 from ...._programs.expressions._runtime.physics.cohesive import pull_of_zone
+from ...._programs.expressions._runtime.physics.cohesive import ring_of_zone
 from ...._programs.expressions._runtime.physics.cohesive import tension_of_zone
 from ...._programs.expressions.normal.hyperboloid import depth as normal_depth
 from ...._programs.expressions.normal.hyperboloid import displacement as normal_displacement
@@ -17,55 +18,80 @@ def work_of_separation(xp, a, c, theta, b, E_star, sigma_0):
     v24, v25 = nodes_along(xp, 1, a, c, theta, b, E_star, sigma_0)
     v1 = difference_root(xp, c, a)
     v2 = xp.hypot(a, v1)
-    v4 = xp.arctan2(v1, a)
     v6 = xp.arcsinh(b / v2)
     v8 = 1.5707963267948966 / v6
     v10 = xp.arctan2(a, v1) / v6
     v21 = v8 * xp.sqrt(1.0 + v10 * v10) + v10 * xp.sqrt(1.0 + v8 * v8)
-    v23 = xp.arcsinh(v4 / v6 * (v8 + v10) / v21)
+    v23 = xp.arcsinh(xp.arctan2(v1, a) / v6 * (v8 + v10) / v21)
     v26 = v24 * v23
     v28 = xp.arcsinh(v8)
     v29 = 0.5 * v26
     v34 = 2.0 * v6 * xp.cosh(v28 - v29) * xp.sinh(v29)
     v42 = normal_slope(xp, v2 * xp.cos(v34), theta, b) * v6 * xp.cosh(v28 - v26) * v34
     v46 = 0.6366197723675814 * v2 * (v23 * xp.sum(v25 * (v42 * xp.sin(v34)), axis=0))
-    v55 = sigma_0 * (v46 + 1.2732395447351628 * (sigma_0 / E_star) * v1 * (v4 - v1 / (v2 + a)))
-    return v55
+    return sigma_0 * (v46 + ring_of_zone(xp, v1, a, E_star, sigma_0))
 
 
 def zone(xp, a, theta, b, E_star, dgamma, sigma_0):
-    v37, v38 = nodes_along(xp, 1, a, theta, b, E_star, dgamma, sigma_0)
+    v35, v36 = nodes_along(xp, 1, a, theta, b, E_star, dgamma, sigma_0)
     v1 = dgamma / sigma_0
     v4 = 0.7853981633974483 * v1 * (E_star / sigma_0)
-    v6 = 0.5 * v4 / 0.5707963267948966
+    v5 = 0.8759691969420544 * v4
+    v12 = xp.minimum(v5 + xp.hypot(v5, xp.sqrt(2.0 * a) * xp.sqrt(v4)), xp.inf)
+    v13 = xp.hypot(a, v12)
+    v17 = xp.arcsinh(b / v13)
+    v19 = 1.5707963267948966 / v17
+    v21 = xp.arctan2(a, v12) / v17
+    v32 = v19 * xp.sqrt(1.0 + v21 * v21) + v21 * xp.sqrt(1.0 + v19 * v19)
+    v34 = xp.arcsinh(xp.arctan2(v12, a) / v17 * (v19 + v21) / v32)
+    v37 = v35 * v34
+    v39 = xp.arcsinh(v19)
+    v40 = 0.5 * v37
+    v45 = 2.0 * v17 * xp.cosh(v39 - v40) * xp.sinh(v40)
+    v53 = normal_slope(xp, v13 * xp.cos(v45), theta, b) * v17 * xp.cosh(v39 - v37) * v45
+    v57 = 0.6366197723675814 * v13 * (v34 * xp.sum(v36 * (v53 * xp.sin(v45)), axis=0))
+    v58 = sigma_0 / dgamma
+    v60 = v57 > 0.0
+    v61 = xp.where(v60, v57, 1.0)
+    v62 = v61 > 0.0
+    v68 = v35 * v34
+    v70 = xp.arcsinh(v19)
+    v71 = 0.5 * v68
+    v77 = xp.cos(2.0 * v17 * xp.cosh(v70 - v71) * xp.sinh(v71))
+    v84 = normal_slope(xp, v13 * v77, theta, b) * v17 * xp.cosh(v70 - v68) * v77
+    v67 = v12 / xp.where(v62, xp.where(v62, v61, 1.0), 1.0) * (v12 / v13)
+    v88 = xp.where(v60, v67 * (0.6366197723675814 * (v34 * xp.sum(v36 * v84, axis=0))), 1.0)
+    v90 = 1.0 + a / v13
+    v92 = 0.5 * (v88 + v90)
+    v99 = (v57 * v58) ** (v92 / v88) + (ring_of_zone(xp, v12, a, E_star, sigma_0) * v58) ** (v92 / v90)
 
-    def f13(v14):
-        v15 = xp.hypot(a, v14)
-        v17 = xp.arctan2(v14, a)
-        v19 = xp.arcsinh(b / v15)
-        v21 = 1.5707963267948966 / v19
-        v23 = xp.arctan2(a, v14) / v19
-        v34 = v21 * xp.sqrt(1.0 + v23 * v23) + v23 * xp.sqrt(1.0 + v21 * v21)
-        v36 = xp.arcsinh(v17 / v19 * (v21 + v23) / v34)
-        v39 = v37 * v36
-        v41 = xp.arcsinh(v21)
-        v42 = 0.5 * v39
-        v47 = 2.0 * v19 * xp.cosh(v41 - v42) * xp.sinh(v42)
-        v55 = normal_slope(xp, v15 * xp.cos(v47), theta, b) * v19 * xp.cosh(v41 - v39) * v47
-        v61 = 1.2732395447351628 * (sigma_0 / E_star)
-        v64 = v14 / (v15 + a)
-        v59 = 0.6366197723675814 * v15 * (v36 * xp.sum(v38 * (v55 * xp.sin(v47)), axis=0))
-        v67 = v59 + v61 * v14 * (v17 - v64)
-        v69 = v14 / v15
-        v71 = v37 * v36
-        v73 = xp.arcsinh(v21)
-        v74 = 0.5 * v71
-        v80 = xp.cos(2.0 * v19 * xp.cosh(v73 - v74) * xp.sinh(v74))
-        v87 = normal_slope(xp, v15 * v80, theta, b) * v19 * xp.cosh(v73 - v71) * v80
-        v94 = 0.6366197723675814 * (v36 * xp.sum(v38 * v87, axis=0)) + v61 * (v17 / v69 - v69 * v64)
-        return (v67, v14 / v67 * v69 * v94)
-    v13 = xp.minimum(v6 + xp.sqrt(v6 ** 2.0 + 2.0 * a * v4), xp.inf)
-    return newton(xp, f13, v1, v13, xp.inf, 0.5, 4.0)
+    def f101(v104):
+        v105 = xp.hypot(a, v104)
+        v107 = xp.arctan2(v104, a)
+        v109 = xp.arcsinh(b / v105)
+        v111 = 1.5707963267948966 / v109
+        v113 = xp.arctan2(a, v104) / v109
+        v124 = v111 * xp.sqrt(1.0 + v113 * v113) + v113 * xp.sqrt(1.0 + v111 * v111)
+        v126 = xp.arcsinh(v107 / v109 * (v111 + v113) / v124)
+        v127 = v35 * v126
+        v129 = xp.arcsinh(v111)
+        v130 = 0.5 * v127
+        v135 = 2.0 * v109 * xp.cosh(v129 - v130) * xp.sinh(v130)
+        v143 = normal_slope(xp, v105 * xp.cos(v135), theta, b) * v109 * xp.cosh(v129 - v127) * v135
+        v149 = 1.2732395447351628 * (sigma_0 / E_star)
+        v152 = v104 / (v105 + a)
+        v147 = 0.6366197723675814 * v105 * (v126 * xp.sum(v36 * (v143 * xp.sin(v135)), axis=0))
+        v155 = v147 + v149 * v104 * (v107 - v152)
+        v157 = v104 / v105
+        v159 = v35 * v126
+        v161 = xp.arcsinh(v111)
+        v162 = 0.5 * v159
+        v168 = xp.cos(2.0 * v109 * xp.cosh(v161 - v162) * xp.sinh(v162))
+        v175 = normal_slope(xp, v105 * v168, theta, b) * v109 * xp.cosh(v161 - v159) * v168
+        v177 = 0.6366197723675814 * (v126 * xp.sum(v36 * v175, axis=0))
+        return (v155, v104 / v155 * v157 * (v177 + v149 * (v107 / v157 - v157 * v152)))
+    v184 = newton(xp, f101, v1, xp.minimum(v12 * v99 ** (-1.0 / v92), xp.inf), xp.inf, 0.5, 4.0)
+    return v184
 
 
 def cohesive_radius(xp, a, theta, b, E_star, dgamma, sigma_0):

@@ -3,14 +3,16 @@
 from ...._programs.expressions._runtime.integrals import difference_root
 from ...._programs.expressions._runtime.physics.cohesive import lift_of_zone
 from ...._programs.expressions._runtime.physics.cohesive import pull_of_zone
+from ...._programs.expressions._runtime.physics.cohesive import ring_of_zone
 from ...._programs.expressions._runtime.physics.cohesive import tension_of_zone
 from ...._programs.expressions.normal.polynomial import depth as normal_depth
 from ...._programs.expressions.normal.polynomial import displacement as normal_displacement
 from ...._programs.expressions.normal.polynomial import force as normal_force
 from ...._programs.expressions.normal.polynomial import pressure as normal_pressure
-from ...._programs.expressions.normal.polynomial import slope as normal_slope
+from ...._runtime.functions import depth_over_height
 from ...._runtime.steps import newton
 from ...._runtime.steps import nodes_along
+from ...._runtime.steps import numbered
 
 
 def work_of_separation(xp, a, c, A, E_star, sigma_0):
@@ -18,32 +20,77 @@ def work_of_separation(xp, a, c, A, E_star, sigma_0):
     v1 = difference_root(xp, c, a)
     v2 = xp.hypot(a, v1)
     v4 = xp.arctan2(v1, a)
-    v8 = 0.0 + v5 * v4
-    v15 = v4 * xp.sum(v6 * (normal_slope(xp, v2 * xp.cos(v8), A) * v8 * xp.sin(v8)), axis=0)
-    v23 = 1.2732395447351628 * (sigma_0 / E_star) * v1 * (v4 - v1 / (v2 + a))
-    return sigma_0 * (0.6366197723675814 * v2 * v15 + v23)
+    v7 = v5 * v4
+
+    def f5(j, A_j):
+        v8 = A_j > 0.0
+        v12 = j * depth_over_height(j) * xp.where(v8, A_j, 1.0)
+        return xp.where(v8, v12 * (v2 * xp.cos(0.0 + v7)) ** (j - 1.0), 0.0)
+    v21 = 0.0 + v7
+    v25 = v4 * xp.sum(v6 * (sum([f5(j, A_j) for j, A_j in numbered(A)]) * v21 * xp.sin(v21)), axis=0)
+    return sigma_0 * (0.6366197723675814 * v2 * v25 + ring_of_zone(xp, v1, a, E_star, sigma_0))
 
 
 def zone(xp, a, A, E_star, dgamma, sigma_0):
-    v18, v19 = nodes_along(xp, 1, a, E_star, dgamma, sigma_0)
+    v16, v17 = nodes_along(xp, 1, a, E_star, dgamma, sigma_0)
     v1 = dgamma / sigma_0
     v4 = 0.7853981633974483 * v1 * (E_star / sigma_0)
-    v6 = 0.5 * v4 / 0.5707963267948966
+    v5 = 0.8759691969420544 * v4
+    v12 = xp.minimum(v5 + xp.hypot(v5, xp.sqrt(2.0 * a) * xp.sqrt(v4)), xp.inf)
+    v13 = xp.hypot(a, v12)
+    v15 = xp.arctan2(v12, a)
+    v18 = v16 * v15
 
-    def f13(v14):
-        v15 = xp.hypot(a, v14)
-        v17 = xp.arctan2(v14, a)
-        v21 = 0.0 + v18 * v17
-        v28 = v17 * xp.sum(v19 * (normal_slope(xp, v15 * xp.cos(v21), A) * v21 * xp.sin(v21)), axis=0)
-        v31 = 1.2732395447351628 * (sigma_0 / E_star)
-        v34 = v14 / (v15 + a)
-        v37 = 0.6366197723675814 * v15 * v28 + v31 * v14 * (v17 - v34)
-        v39 = v14 / v15
-        v43 = xp.cos(0.0 + v18 * v17)
-        v48 = 0.6366197723675814 * (v17 * xp.sum(v19 * (normal_slope(xp, v15 * v43, A) * v43), axis=0))
-        return (v37, v14 / v37 * v39 * (v48 + v31 * (v17 / v39 - v39 * v34)))
-    v13 = xp.minimum(v6 + xp.sqrt(v6 ** 2.0 + 2.0 * a * v4), xp.inf)
-    return newton(xp, f13, v1, v13, xp.inf, 0.5, 4.0)
+    def f16(j, A_j):
+        v19 = A_j > 0.0
+        v23 = j * depth_over_height(j) * xp.where(v19, A_j, 1.0)
+        return xp.where(v19, v23 * (v13 * xp.cos(0.0 + v18)) ** (j - 1.0), 0.0)
+    v32 = 0.0 + v18
+    v35 = sum([f16(j, A_j) for j, A_j in numbered(A)]) * v32 * xp.sin(v32)
+    v37 = 0.6366197723675814 * v13 * (v15 * xp.sum(v17 * v35, axis=0))
+    v38 = sigma_0 / dgamma
+    v40 = v37 > 0.0
+    v41 = xp.where(v40, v37, 1.0)
+    v42 = v41 > 0.0
+    v48 = v16 * v15
+
+    def f48(j, A_j):
+        v49 = A_j > 0.0
+        v53 = j * depth_over_height(j) * xp.where(v49, A_j, 1.0)
+        return xp.where(v49, v53 * (v13 * xp.cos(0.0 + v48)) ** (j - 1.0), 0.0)
+    v64 = sum([f48(j, A_j) for j, A_j in numbered(A)]) * xp.cos(0.0 + v48)
+    v47 = v12 / xp.where(v42, xp.where(v42, v41, 1.0), 1.0) * (v12 / v13)
+    v68 = xp.where(v40, v47 * (0.6366197723675814 * (v15 * xp.sum(v17 * v64, axis=0))), 1.0)
+    v70 = 1.0 + a / v13
+    v72 = 0.5 * (v68 + v70)
+    v79 = (v37 * v38) ** (v72 / v68) + (ring_of_zone(xp, v12, a, E_star, sigma_0) * v38) ** (v72 / v70)
+
+    def f85(v84):
+        v85 = xp.hypot(a, v84)
+        v87 = xp.arctan2(v84, a)
+        v88 = v16 * v87
+
+        def f90(j, A_j):
+            v89 = A_j > 0.0
+            v93 = j * depth_over_height(j) * xp.where(v89, A_j, 1.0)
+            return xp.where(v89, v93 * (v85 * xp.cos(0.0 + v88)) ** (j - 1.0), 0.0)
+        v102 = 0.0 + v88
+        v105 = sum([f90(j, A_j) for j, A_j in numbered(A)]) * v102 * xp.sin(v102)
+        v109 = 1.2732395447351628 * (sigma_0 / E_star)
+        v112 = v84 / (v85 + a)
+        v115 = 0.6366197723675814 * v85 * (v87 * xp.sum(v17 * v105, axis=0)) + v109 * v84 * (v87 - v112)
+        v117 = v84 / v85
+        v119 = v16 * v87
+
+        def f123(j, A_j):
+            v120 = A_j > 0.0
+            v124 = j * depth_over_height(j) * xp.where(v120, A_j, 1.0)
+            return xp.where(v120, v124 * (v85 * xp.cos(0.0 + v119)) ** (j - 1.0), 0.0)
+        v135 = sum([f123(j, A_j) for j, A_j in numbered(A)]) * xp.cos(0.0 + v119)
+        v137 = 0.6366197723675814 * (v87 * xp.sum(v17 * v135, axis=0))
+        return (v115, v84 / v115 * v117 * (v137 + v109 * (v87 / v117 - v117 * v112)))
+    v144 = newton(xp, f85, v1, xp.minimum(v12 * v79 ** (-1.0 / v72), xp.inf), xp.inf, 0.5, 4.0)
+    return v144
 
 
 def cohesive_radius(xp, a, A, E_star, dgamma, sigma_0):

@@ -3,6 +3,7 @@
 from ...._programs.expressions._runtime.integrals import difference_root
 from ...._programs.expressions._runtime.physics.cohesive import lift_of_zone
 from ...._programs.expressions._runtime.physics.cohesive import pull_of_zone
+from ...._programs.expressions._runtime.physics.cohesive import ring_of_zone
 from ...._programs.expressions._runtime.physics.cohesive import tension_of_zone
 from ...._programs.expressions.normal.sphere import depth as normal_depth
 from ...._programs.expressions.normal.sphere import displacement as normal_displacement
@@ -24,16 +25,15 @@ def work_of_separation(xp, a, c, R, E_star, sigma_0):
     v13 = xp.arcsinh(v10 / v11)
     v14 = v13 > 0.0
     v15 = xp.where(v14, v13, 1.0)
-    v18 = v15 > 0.0
-    v20 = xp.where(v18, xp.where(v18, v15, 1.0), 1.0)
+    v20 = xp.where(v14, xp.where(v14, v13, 1.0), 1.0)
     v22 = xp.arcsinh(xp.arctan2(v2, a) / v20)
     v25 = v23 * v22
     v27 = v20 * xp.sinh(v25)
     v30 = xp.sin(v27)
     v36 = normal_slope(xp, v11 * xp.cos(v27), xp.hypot(v10, v11 * v30), R) * v20 * xp.cosh(v25)
-    v40 = 0.6366197723675814 * v11 * (v22 * xp.sum(v24 * (v36 * v27 * v30), axis=0))
-    v49 = 1.2732395447351628 * (sigma_0 / E_star) * v2 * (xp.arctan2(v2, a) - v2 / (v11 + a))
-    return sigma_0 * (xp.where(v14, v40, xp.inf) + v49)
+    v17 = xp.where(v14, 0.6366197723675814, xp.inf) * v11
+    v40 = v17 * (v22 * xp.sum(v24 * (v36 * v27 * v30), axis=0))
+    return sigma_0 * (v40 + ring_of_zone(xp, v2, a, E_star, sigma_0))
 
 
 def zone(xp, a, R, E_star, dgamma, sigma_0):
@@ -47,55 +47,80 @@ def zone(xp, a, R, E_star, dgamma, sigma_0):
     v14 = xp.arcsinh(v11 / v12)
     v15 = v14 > 0.0
     v16 = xp.where(v15, v14, 1.0)
-    v19 = v16 > 0.0
-    v21 = xp.where(v19, xp.where(v19, v16, 1.0), 1.0)
+    v21 = xp.where(v15, xp.where(v15, v14, 1.0), 1.0)
     v23 = xp.arcsinh(xp.arctan2(v3, a) / v21)
     v26 = v24 * v23
     v28 = v21 * xp.sinh(v26)
     v31 = xp.sin(v28)
     v37 = normal_slope(xp, v12 * xp.cos(v28), xp.hypot(v11, v12 * v31), R) * v21 * xp.cosh(v26)
-    v41 = 0.6366197723675814 * v12 * (v23 * xp.sum(v25 * (v37 * v28 * v31), axis=0))
-    v44 = 1.2732395447351628 * (sigma_0 / E_star)
-    v52 = sigma_0 * (xp.where(v15, v41, xp.inf) + v44 * v3 * (xp.arctan2(v3, a) - v3 / (v12 + a)))
-    v55 = xp.where((v1 > 0.0) & (v52 >= dgamma), a, xp.nan)
-    v57 = dgamma / sigma_0
-    v60 = 0.7853981633974483 * v57 * (E_star / sigma_0)
-    v62 = 0.5 * v60 / 0.5707963267948966
+    v18 = xp.where(v15, 0.6366197723675814, xp.inf) * v12
+    v41 = v18 * (v23 * xp.sum(v25 * (v37 * v28 * v31), axis=0))
+    v46 = (v1 > 0.0) & (sigma_0 * (v41 + ring_of_zone(xp, v3, a, E_star, sigma_0)) >= dgamma)
+    v47 = xp.where(v46, a, xp.nan)
+    v49 = dgamma / sigma_0
+    v52 = 0.7853981633974483 * v49 * (E_star / sigma_0)
+    v53 = 0.8759691969420544 * v52
+    v61 = xp.minimum(v53 + xp.hypot(v53, xp.sqrt(2.0 * v47) * xp.sqrt(v52)), 0.75 * v1)
+    v62 = difference_root(xp, R, v47)
+    v66 = xp.maximum(v62 - v61, 0.0) * (v62 + v61)
+    v67 = v66 > 0.0
+    v70 = xp.where(v67, xp.sqrt(xp.where(v67, v66, 1.0)), 0.0)
+    v71 = xp.hypot(v47, v61)
+    v73 = xp.arcsinh(v70 / v71)
+    v74 = v73 > 0.0
+    v75 = xp.where(v74, v73, 1.0)
+    v76 = xp.where(v74, 0.6366197723675814, xp.inf)
+    v80 = xp.where(v74, xp.where(v74, v73, 1.0), 1.0)
+    v82 = xp.arcsinh(xp.arctan2(v61, v47) / v80)
+    v83 = v24 * v82
+    v85 = v80 * xp.sinh(v83)
+    v88 = xp.sin(v85)
+    v94 = normal_slope(xp, v71 * xp.cos(v85), xp.hypot(v70, v71 * v88), R) * v80 * xp.cosh(v83)
+    v98 = v76 * v71 * (v82 * xp.sum(v25 * (v94 * v85 * v88), axis=0))
+    v99 = sigma_0 / dgamma
+    v101 = v98 > 0.0
+    v102 = xp.where(v101, v98, 1.0)
+    v103 = v102 > 0.0
+    v109 = v24 * v82
+    v111 = v80 * xp.sinh(v109)
+    v112 = xp.cos(v111)
+    v118 = normal_slope(xp, v71 * v112, xp.hypot(v70, v71 * xp.sin(v111)), R) * v80
+    v108 = v61 / xp.where(v103, xp.where(v103, v102, 1.0), 1.0) * (v61 / v71)
+    v124 = v108 * (v76 * (v82 * xp.sum(v25 * (v118 * xp.cosh(v109) * v112), axis=0)))
+    v125 = xp.where(v101, v124, 1.0)
+    v127 = 1.0 + v47 / v71
+    v129 = 0.5 * (v125 + v127)
+    v135 = (ring_of_zone(xp, v61, v47, E_star, sigma_0) * v99) ** (v129 / v127)
 
-    def f68(v71):
-        v72 = difference_root(xp, R, v55)
-        v76 = xp.maximum(v72 - v71, 0.0) * (v72 + v71)
-        v77 = v76 > 0.0
-        v80 = xp.where(v77, xp.sqrt(xp.where(v77, v76, 1.0)), 0.0)
-        v81 = xp.hypot(v55, v71)
-        v83 = xp.arcsinh(v80 / v81)
-        v84 = v83 > 0.0
-        v85 = xp.where(v84, v83, 1.0)
-        v88 = v85 > 0.0
-        v90 = xp.where(v88, xp.where(v88, v85, 1.0), 1.0)
-        v92 = xp.arcsinh(xp.arctan2(v71, v55) / v90)
-        v93 = v24 * v92
-        v95 = v90 * xp.sinh(v93)
-        v98 = xp.sin(v95)
-        v102 = normal_slope(xp, v81 * xp.cos(v95), xp.hypot(v80, v81 * v98), R) * v90
-        v108 = 0.6366197723675814 * v81 * (v92 * xp.sum(v25 * (v102 * xp.cosh(v93) * v95 * v98), axis=0))
-        v111 = xp.arctan2(v71, v55)
-        v113 = v71 / (v81 + v55)
-        v116 = xp.where(v84, v108, xp.inf) + v44 * v71 * (v111 - v113)
-        v118 = v71 / v81
-        v120 = xp.where(v84, v83, 1.0)
-        v121 = v120 > 0.0
-        v123 = xp.where(v121, xp.where(v121, v120, 1.0), 1.0)
-        v125 = xp.arcsinh(v111 / v123)
-        v126 = v24 * v125
-        v128 = v123 * xp.sinh(v126)
-        v129 = xp.cos(v128)
-        v135 = normal_slope(xp, v81 * v129, xp.hypot(v80, v81 * xp.sin(v128)), R) * v123
-        v140 = 0.6366197723675814 * (v125 * xp.sum(v25 * (v135 * xp.cosh(v126) * v129), axis=0))
-        v147 = v71 / v116 * v118 * (xp.where(v84, v140, xp.inf) + v44 * (v111 / v118 - v118 * v113))
-        return (v116, v147)
-    v70 = xp.minimum(v62 + xp.sqrt(v62 ** 2.0 + 2.0 * v55 * v60), 0.75 * v1)
-    return xp.where(xp.isnan(v55), xp.nan, newton(xp, f68, v57, v70, v1, 0.5, 4.0))
+    def f138(v141):
+        v145 = xp.maximum(v62 - v141, 0.0) * (v62 + v141)
+        v146 = v145 > 0.0
+        v149 = xp.where(v146, xp.sqrt(xp.where(v146, v145, 1.0)), 0.0)
+        v150 = xp.hypot(v47, v141)
+        v152 = xp.arcsinh(v149 / v150)
+        v153 = v152 > 0.0
+        v154 = xp.where(v153, v152, 1.0)
+        v155 = xp.where(v153, 0.6366197723675814, xp.inf)
+        v157 = xp.arctan2(v141, v47)
+        v159 = xp.where(v153, xp.where(v153, v152, 1.0), 1.0)
+        v161 = xp.arcsinh(v157 / v159)
+        v162 = v24 * v161
+        v164 = v159 * xp.sinh(v162)
+        v167 = xp.sin(v164)
+        v171 = normal_slope(xp, v150 * xp.cos(v164), xp.hypot(v149, v150 * v167), R) * v159
+        v179 = 1.2732395447351628 * (sigma_0 / E_star)
+        v182 = v141 / (v150 + v47)
+        v177 = v155 * v150 * (v161 * xp.sum(v25 * (v171 * xp.cosh(v162) * v164 * v167), axis=0))
+        v185 = v177 + v179 * v141 * (v157 - v182)
+        v187 = v141 / v150
+        v189 = v24 * v161
+        v191 = v159 * xp.sinh(v189)
+        v192 = xp.cos(v191)
+        v198 = normal_slope(xp, v150 * v192, xp.hypot(v149, v150 * xp.sin(v191)), R) * v159
+        v203 = v155 * (v161 * xp.sum(v25 * (v198 * xp.cosh(v189) * v192), axis=0))
+        return (v185, v141 / v185 * v187 * (v203 + v179 * (v157 / v187 - v187 * v182)))
+    v140 = xp.minimum(v61 * ((v98 * v99) ** (v129 / v125) + v135) ** (-1.0 / v129), v3)
+    return xp.where(xp.isnan(v47), xp.nan, newton(xp, f138, v49, v140, v1, 0.5, 4.0))
 
 
 def cohesive_radius(xp, a, R, E_star, dgamma, sigma_0):

@@ -4,6 +4,7 @@ from ...._programs.expressions._runtime.functions import sine_root
 from ...._programs.expressions._runtime.integrals import difference_root
 from ...._programs.expressions._runtime.physics.cohesive import lift_of_zone
 from ...._programs.expressions._runtime.physics.cohesive import pull_of_zone
+from ...._programs.expressions._runtime.physics.cohesive import ring_of_zone
 from ...._programs.expressions._runtime.physics.cohesive import tension_of_zone
 from ...._programs.expressions.normal.sphere_tipped_cone import depth_at as normal_depth_at
 from ...._programs.expressions.normal.sphere_tipped_cone import displacement as normal_displacement
@@ -19,7 +20,6 @@ def work_of_separation(xp, a, c, R, theta, E_star, sigma_0):
     v44, v45 = nodes_along(xp, 1, a, c, R, theta, E_star, sigma_0)
     v1 = difference_root(xp, c, a)
     v2 = xp.hypot(a, v1)
-    v4 = xp.arctan2(v1, a)
     v6 = R * xp.sin(theta)
     v7 = a < v6
     v8 = xp.where(v7, a, 0.5 * v6)
@@ -43,156 +43,220 @@ def work_of_separation(xp, a, c, R, theta, E_star, sigma_0):
     v39 = xp.where(v7, 2.0 * v6, a)
     v41 = xp.arctan2(difference_root(xp, c, v39), v39)
     v42 = xp.where(v7, xp.minimum(v36, xp.arctan2(v9, v8)), v41)
-    v43 = v4 - v42
+    v43 = xp.arctan2(v1, a) - v42
     v47 = v42 + v44 * v43
-    v50 = xp.minimum(v2 * xp.cos(v47), v6)
-    v58 = normal_slope(xp, v50, xp.sqrt((R - v50) * (R + v50)), R) * v47 * xp.sin(v47)
-    v61 = xp.where(v7, a, 0.5 * v6)
-    v62 = v61 < v6
-    v63 = xp.where(v62, v61, 0.5 * v6)
-    v64 = difference_root(xp, c, v63)
-    v65 = difference_root(xp, v6, v63)
-    v69 = xp.maximum(v64 - v65, 0.0) * (v64 + v65)
-    v70 = v69 > 0.0
-    v74 = xp.where(v62, 2.0 * v6, v61)
-    v77 = xp.hypot(difference_root(xp, v74, v6), difference_root(xp, c, v74))
-    v78 = xp.where(v62, xp.where(v70, xp.sqrt(xp.where(v70, v69, 1.0)), 0.0), v77)
-    v81 = xp.where(v7, v78, difference_root(xp, c, xp.where(v7, 2.0 * v6, a)))
-    v82 = v81 > 0.0
-    v83 = xp.where(v82, v81, 1.0)
-    v84 = v83 > 0.0
-    v86 = xp.where(v84, xp.where(v84, v83, 1.0), v6)
-    v87 = difference_root(xp, a, v6)
-    v89 = xp.where(v84, v83, 1.0)
-    v90 = xp.where(v7, a, 0.5 * v6)
-    v91 = difference_root(xp, c, v90)
-    v92 = difference_root(xp, v6, v90)
-    v96 = xp.maximum(v91 - v92, 0.0) * (v91 + v92)
-    v97 = v96 > 0.0
-    v101 = xp.where(v7, 2.0 * v6, a)
-    v104 = xp.hypot(difference_root(xp, v101, v6), difference_root(xp, c, v101))
-    v105 = xp.where(v7, xp.where(v97, xp.sqrt(xp.where(v97, v96, 1.0)), 0.0), v104)
-    v106 = xp.where(v84, v105, v6)
-    v108 = xp.arcsinh(v6 / v106)
-    v110 = 1.5707963267948966 / v108
-    v112 = xp.arctan2(v87, v86) / v108
-    v123 = v110 * xp.sqrt(1.0 + v112 * v112) + v112 * xp.sqrt(1.0 + v110 * v110)
-    v125 = xp.arcsinh(xp.arctan2(v86, v87) / v108 * (v110 + v112) / v123)
-    v126 = v44 * v125
-    v129 = xp.arcsinh(v110)
-    v130 = 0.5 * v126
-    v135 = 2.0 * v108 * xp.cosh(v129 - v130) * xp.sinh(v130)
-    v137 = v106 * xp.cos(v135)
-    v140 = xp.sqrt(v6 * v6 + v137 * v137)
-    v148 = v106 * xp.sin(v135)
-    v146 = normal_slope_beyond(xp, v140, v137, R, theta) * v137 * v108 * xp.cosh(v129 - v126)
-    v153 = v125 * xp.sum(v45 * (v146 * xp.arctan2(v148, v140) * (v148 / v140)), axis=0)
-    v60 = 0.6366197723675814 * v2 * (v43 * xp.sum(v45 * v58, axis=0))
-    v163 = 1.2732395447351628 * (sigma_0 / E_star) * v1 * (v4 - v1 / (v2 + a))
-    return sigma_0 * (v60 + xp.where(v82, 0.6366197723675814 * v153, 0.0) + v163)
+    v51 = xp.minimum(xp.absolute(v2 * xp.cos(v47)), v6)
+    v59 = normal_slope(xp, v51, xp.sqrt((R - v51) * (R + v51)), R) * v47 * xp.sin(v47)
+    v62 = xp.where(v7, a, 0.5 * v6)
+    v63 = v62 < v6
+    v64 = xp.where(v63, v62, 0.5 * v6)
+    v65 = difference_root(xp, c, v64)
+    v66 = difference_root(xp, v6, v64)
+    v70 = xp.maximum(v65 - v66, 0.0) * (v65 + v66)
+    v71 = v70 > 0.0
+    v75 = xp.where(v63, 2.0 * v6, v62)
+    v78 = xp.hypot(difference_root(xp, v75, v6), difference_root(xp, c, v75))
+    v79 = xp.where(v63, xp.where(v71, xp.sqrt(xp.where(v71, v70, 1.0)), 0.0), v78)
+    v82 = xp.where(v7, v79, difference_root(xp, c, xp.where(v7, 2.0 * v6, a)))
+    v83 = difference_root(xp, a, v6)
+    v85 = v82 > 0.0
+    v86 = xp.where(v85, v82, 1.0)
+    v87 = xp.where(v7, a, 0.5 * v6)
+    v88 = difference_root(xp, c, v87)
+    v89 = difference_root(xp, v6, v87)
+    v93 = xp.maximum(v88 - v89, 0.0) * (v88 + v89)
+    v94 = v93 > 0.0
+    v98 = xp.where(v7, 2.0 * v6, a)
+    v101 = xp.hypot(difference_root(xp, v98, v6), difference_root(xp, c, v98))
+    v102 = xp.where(v7, xp.where(v94, xp.sqrt(xp.where(v94, v93, 1.0)), 0.0), v101)
+    v103 = xp.where(v85, v102, v6)
+    v105 = xp.arcsinh(v6 / v103)
+    v107 = 1.5707963267948966 / v105
+    v109 = xp.arctan2(v83, v82) / v105
+    v120 = v107 * xp.sqrt(1.0 + v109 * v109) + v109 * xp.sqrt(1.0 + v107 * v107)
+    v122 = xp.arcsinh(xp.arctan2(v82, v83) / v105 * (v107 + v109) / v120)
+    v123 = v44 * v122
+    v126 = xp.arcsinh(v107)
+    v127 = 0.5 * v123
+    v132 = 2.0 * v105 * xp.cosh(v126 - v127) * xp.sinh(v127)
+    v135 = v103 * xp.maximum(xp.cos(v132), 1e-17)
+    v138 = xp.sqrt(v6 * v6 + v135 * v135)
+    v146 = v103 * xp.sin(v132)
+    v144 = normal_slope_beyond(xp, v138, v135, R, theta) * v135 * v105 * xp.cosh(v126 - v123)
+    v151 = v122 * xp.sum(v45 * (v144 * xp.arctan2(v146, v138) * (v146 / v138)), axis=0)
+    v153 = 0.6366197723675814 * v2 * (v43 * xp.sum(v45 * v59, axis=0)) + 0.6366197723675814 * v151
+    return sigma_0 * (v153 + ring_of_zone(xp, v1, a, E_star, sigma_0))
 
 
 def zone(xp, a, R, theta, E_star, dgamma, sigma_0):
-    v52, v53 = nodes_along(xp, 1, a, R, theta, E_star, dgamma, sigma_0)
+    v80, v81 = nodes_along(xp, 1, a, R, theta, E_star, dgamma, sigma_0)
     v1 = dgamma / sigma_0
     v4 = 0.7853981633974483 * v1 * (E_star / sigma_0)
-    v6 = 0.5 * v4 / 0.5707963267948966
+    v5 = 0.8759691969420544 * v4
+    v8 = xp.sqrt(v4)
+    v12 = xp.minimum(v5 + xp.hypot(v5, xp.sqrt(2.0 * a) * v8), xp.inf)
+    v13 = xp.hypot(a, v12)
+    v17 = R * xp.sin(theta)
+    v18 = a < v17
+    v19 = xp.where(v18, a, 0.5 * v17)
+    v25 = xp.minimum(v5 + xp.hypot(v5, xp.sqrt(2.0 * v19) * v8), xp.inf)
+    v26 = xp.hypot(v19, v25)
+    v27 = v26 > v17
+    v28 = xp.where(v27, v26, 2.0 * v17)
+    v29 = v19 < v17
+    v30 = xp.where(v29, v19, 0.5 * v17)
+    v31 = v30 < v17
+    v32 = xp.where(v31, v30, 0.5 * v17)
+    v38 = xp.minimum(v5 + xp.hypot(v5, xp.sqrt(2.0 * v32) * v8), xp.inf)
+    v39 = difference_root(xp, v17, v32)
+    v43 = xp.maximum(v38 - v39, 0.0) * (v38 + v39)
+    v44 = v43 > 0.0
+    v53 = v5 + xp.hypot(v5, xp.sqrt(2.0 * xp.where(v31, 2.0 * v17, v30)) * v8)
+    v47 = xp.where(v44, xp.sqrt(xp.where(v44, v43, 1.0)), 0.0)
+    v57 = xp.where(v29, 2.0 * v17, v19)
+    v64 = xp.arctan2(xp.minimum(v5 + xp.hypot(v5, xp.sqrt(2.0 * v57) * v8), xp.inf), v57)
+    v66 = xp.where(v27, 0.5 * v17, v26)
+    v65 = xp.where(v29, xp.arctan2(xp.where(v31, v47, xp.minimum(v53, xp.inf)), v17), v64)
+    v70 = xp.where(v18, 2.0 * v17, a)
+    v77 = xp.arctan2(xp.minimum(v5 + xp.hypot(v5, xp.sqrt(2.0 * v70) * v8), xp.inf), v70)
+    v78 = xp.where(v18, xp.minimum(xp.where(v27, v65, 0.0), xp.arctan2(v25, v19)), v77)
+    v79 = xp.arctan2(v12, a) - v78
+    v83 = v78 + v80 * v79
+    v87 = xp.minimum(xp.absolute(v13 * xp.cos(v83)), v17)
+    v95 = normal_slope(xp, v87, xp.sqrt((R - v87) * (R + v87)), R) * v83 * xp.sin(v83)
+    v98 = xp.where(v18, a, 0.5 * v17)
+    v99 = v98 < v17
+    v100 = xp.where(v99, v98, 0.5 * v17)
+    v106 = xp.minimum(v5 + xp.hypot(v5, xp.sqrt(2.0 * v100) * v8), xp.inf)
+    v107 = difference_root(xp, v17, v100)
+    v111 = xp.maximum(v106 - v107, 0.0) * (v106 + v107)
+    v112 = v111 > 0.0
+    v116 = xp.where(v99, 2.0 * v17, v98)
+    v123 = xp.minimum(v5 + xp.hypot(v5, xp.sqrt(2.0 * v116) * v8), xp.inf)
+    v115 = xp.where(v112, xp.sqrt(xp.where(v112, v111, 1.0)), 0.0)
+    v132 = xp.minimum(v5 + xp.hypot(v5, xp.sqrt(2.0 * xp.where(v18, 2.0 * v17, a)) * v8), xp.inf)
+    v133 = xp.where(v18, xp.where(v99, v115, xp.hypot(difference_root(xp, v116, v17), v123)), v132)
+    v134 = difference_root(xp, a, v17)
+    v136 = v133 > 0.0
+    v137 = xp.where(v136, v133, 1.0)
+    v138 = xp.where(v18, a, 0.5 * v17)
+    v144 = xp.minimum(v5 + xp.hypot(v5, xp.sqrt(2.0 * v138) * v8), xp.inf)
+    v145 = difference_root(xp, v17, v138)
+    v149 = xp.maximum(v144 - v145, 0.0) * (v144 + v145)
+    v150 = v149 > 0.0
+    v154 = xp.where(v18, 2.0 * v17, a)
+    v161 = xp.minimum(v5 + xp.hypot(v5, xp.sqrt(2.0 * v154) * v8), xp.inf)
+    v153 = xp.where(v150, xp.sqrt(xp.where(v150, v149, 1.0)), 0.0)
+    v164 = xp.where(v136, xp.where(v18, v153, xp.hypot(difference_root(xp, v154, v17), v161)), v17)
+    v166 = xp.arcsinh(v17 / v164)
+    v168 = 1.5707963267948966 / v166
+    v170 = xp.arctan2(v134, v133) / v166
+    v181 = v168 * xp.sqrt(1.0 + v170 * v170) + v170 * xp.sqrt(1.0 + v168 * v168)
+    v183 = xp.arcsinh(xp.arctan2(v133, v134) / v166 * (v168 + v170) / v181)
+    v184 = v80 * v183
+    v187 = xp.arcsinh(v168)
+    v188 = 0.5 * v184
+    v193 = 2.0 * v166 * xp.cosh(v187 - v188) * xp.sinh(v188)
+    v196 = v164 * xp.maximum(xp.cos(v193), 1e-17)
+    v199 = xp.sqrt(v17 * v17 + v196 * v196)
+    v207 = v164 * xp.sin(v193)
+    v205 = normal_slope_beyond(xp, v199, v196, R, theta) * v196 * v166 * xp.cosh(v187 - v184)
+    v212 = v183 * xp.sum(v81 * (v205 * xp.arctan2(v207, v199) * (v207 / v199)), axis=0)
+    v214 = 0.6366197723675814 * v13 * (v79 * xp.sum(v81 * v95, axis=0)) + 0.6366197723675814 * v212
+    v215 = sigma_0 / dgamma
+    v217 = v214 > 0.0
+    v218 = xp.where(v217, v214, 1.0)
+    v219 = v218 > 0.0
+    v227 = xp.cos(v78 + v80 * v79)
+    v230 = xp.minimum(xp.absolute(v13 * v227), v17)
+    v236 = normal_slope(xp, v230, xp.sqrt((R - v230) * (R + v230)), R) * v227
+    v239 = v80 * v183
+    v242 = xp.arcsinh(v168)
+    v243 = 0.5 * v239
+    v250 = xp.maximum(xp.cos(2.0 * v166 * xp.cosh(v242 - v243) * xp.sinh(v243)), 1e-17)
+    v251 = v164 * v250
+    v256 = normal_slope_beyond(xp, xp.sqrt(v17 * v17 + v251 * v251), v251, R, theta) * v251
+    v262 = v183 * xp.sum(v81 * (v256 * v166 * xp.cosh(v242 - v239) / v13), axis=0)
+    v264 = 0.6366197723675814 * (v79 * xp.sum(v81 * v236, axis=0)) + 0.6366197723675814 * v262
+    v265 = v12 / xp.where(v219, xp.where(v219, v218, 1.0), 1.0) * (v12 / v13) * v264
+    v266 = xp.where(v217, v265, 1.0)
+    v268 = 1.0 + a / v13
+    v270 = 0.5 * (v266 + v268)
+    v276 = (ring_of_zone(xp, v12, a, E_star, sigma_0) * v215) ** (v270 / v268)
 
-    def f13(v14):
-        v15 = xp.hypot(a, v14)
-        v17 = xp.arctan2(v14, a)
-        v19 = R * xp.sin(theta)
-        v20 = a < v19
-        v21 = xp.where(v20, a, 0.5 * v19)
-        v22 = xp.hypot(v21, v14)
-        v23 = v22 > v19
-        v24 = xp.where(v23, v22, 2.0 * v19)
-        v25 = v21 < v19
-        v26 = xp.where(v25, v21, 0.5 * v19)
-        v27 = v26 < v19
-        v29 = difference_root(xp, v19, xp.where(v27, v26, 0.5 * v19))
-        v33 = xp.maximum(v14 - v29, 0.0) * (v14 + v29)
-        v34 = v33 > 0.0
-        v38 = xp.where(v27, 2.0 * v19, v26)
-        v40 = xp.arctan2(xp.where(v27, xp.where(v34, xp.sqrt(xp.where(v34, v33, 1.0)), 0.0), v14), v19)
-        v44 = xp.where(v23, 0.5 * v19, v22)
-        v45 = xp.where(v23, xp.where(v25, v40, xp.arctan2(v14, xp.where(v25, 2.0 * v19, v21))), 0.0)
-        v49 = xp.arctan2(v14, xp.where(v20, 2.0 * v19, a))
-        v50 = xp.where(v20, xp.minimum(v45, xp.arctan2(v14, v21)), v49)
-        v51 = v17 - v50
-        v55 = v50 + v52 * v51
-        v58 = xp.minimum(v15 * xp.cos(v55), v19)
-        v66 = normal_slope(xp, v58, xp.sqrt((R - v58) * (R + v58)), R) * v55 * xp.sin(v55)
-        v69 = xp.where(v20, a, 0.5 * v19)
-        v70 = v69 < v19
-        v72 = difference_root(xp, v19, xp.where(v70, v69, 0.5 * v19))
-        v76 = xp.maximum(v14 - v72, 0.0) * (v14 + v72)
-        v77 = v76 > 0.0
-        v83 = xp.hypot(difference_root(xp, xp.where(v70, 2.0 * v19, v69), v19), v14)
-        v85 = xp.where(v20, 2.0 * v19, a)
-        v84 = xp.where(v70, xp.where(v77, xp.sqrt(xp.where(v77, v76, 1.0)), 0.0), v83)
-        v86 = xp.where(v20, v84, v14)
-        v87 = v86 > 0.0
-        v88 = xp.where(v87, v86, 1.0)
-        v89 = v88 > 0.0
-        v91 = xp.where(v89, xp.where(v89, v88, 1.0), v19)
-        v92 = difference_root(xp, a, v19)
-        v94 = xp.where(v89, v88, 1.0)
-        v96 = difference_root(xp, v19, xp.where(v20, a, 0.5 * v19))
-        v100 = xp.maximum(v14 - v96, 0.0) * (v14 + v96)
-        v101 = v100 > 0.0
-        v107 = xp.hypot(difference_root(xp, xp.where(v20, 2.0 * v19, a), v19), v14)
-        v108 = xp.where(v20, xp.where(v101, xp.sqrt(xp.where(v101, v100, 1.0)), 0.0), v107)
-        v109 = xp.where(v89, v108, v19)
-        v111 = xp.arcsinh(v19 / v109)
-        v113 = 1.5707963267948966 / v111
-        v115 = xp.arctan2(v92, v91) / v111
-        v126 = v113 * xp.sqrt(1.0 + v115 * v115) + v115 * xp.sqrt(1.0 + v113 * v113)
-        v128 = xp.arcsinh(xp.arctan2(v91, v92) / v111 * (v113 + v115) / v126)
-        v129 = v52 * v128
-        v132 = xp.arcsinh(v113)
-        v133 = 0.5 * v129
-        v138 = 2.0 * v111 * xp.cosh(v132 - v133) * xp.sinh(v133)
-        v140 = v109 * xp.cos(v138)
-        v143 = xp.sqrt(v19 * v19 + v140 * v140)
-        v151 = v109 * xp.sin(v138)
-        v149 = normal_slope_beyond(xp, v143, v140, R, theta) * v140 * v111 * xp.cosh(v132 - v129)
-        v156 = v128 * xp.sum(v53 * (v149 * xp.arctan2(v151, v143) * (v151 / v143)), axis=0)
-        v68 = 0.6366197723675814 * v15 * (v51 * xp.sum(v53 * v66, axis=0))
-        v161 = 1.2732395447351628 * (sigma_0 / E_star)
-        v164 = v14 / (v15 + a)
-        v167 = v68 + xp.where(v87, 0.6366197723675814 * v156, 0.0) + v161 * v14 * (v17 - v164)
-        v169 = v14 / v15
-        v173 = xp.cos(v50 + v52 * v51)
-        v175 = xp.minimum(v15 * v173, v19)
-        v181 = normal_slope(xp, v175, xp.sqrt((R - v175) * (R + v175)), R) * v173
-        v184 = xp.where(v87, v86, 1.0)
-        v185 = v184 > 0.0
-        v187 = xp.where(v185, xp.where(v185, v184, 1.0), v19)
-        v188 = difference_root(xp, a, v19)
-        v190 = xp.where(v185, v184, 1.0)
-        v192 = difference_root(xp, v19, xp.where(v20, a, 0.5 * v19))
-        v196 = xp.maximum(v14 - v192, 0.0) * (v14 + v192)
-        v197 = v196 > 0.0
-        v203 = xp.hypot(difference_root(xp, xp.where(v20, 2.0 * v19, a), v19), v14)
-        v204 = xp.where(v20, xp.where(v197, xp.sqrt(xp.where(v197, v196, 1.0)), 0.0), v203)
-        v205 = xp.where(v185, v204, v19)
-        v207 = xp.arcsinh(v19 / v205)
-        v209 = 1.5707963267948966 / v207
-        v211 = xp.arctan2(v188, v187) / v207
-        v222 = v209 * xp.sqrt(1.0 + v211 * v211) + v211 * xp.sqrt(1.0 + v209 * v209)
-        v224 = xp.arcsinh(xp.arctan2(v187, v188) / v207 * (v209 + v211) / v222)
-        v225 = v52 * v224
-        v228 = xp.arcsinh(v209)
-        v229 = 0.5 * v225
-        v236 = v205 * xp.cos(2.0 * v207 * xp.cosh(v228 - v229) * xp.sinh(v229))
-        v241 = normal_slope_beyond(xp, xp.sqrt(v19 * v19 + v236 * v236), v236, R, theta) * v236
-        v247 = v224 * xp.sum(v53 * (v241 * v207 * xp.cosh(v228 - v225) / v15), axis=0)
-        v183 = 0.6366197723675814 * (v51 * xp.sum(v53 * v181, axis=0))
-        v250 = v183 + xp.where(v87, 0.6366197723675814 * v247, 0.0)
-        return (v167, v14 / v167 * v169 * (v250 + v161 * (v17 / v169 - v169 * v164)))
-    v13 = xp.minimum(v6 + xp.sqrt(v6 ** 2.0 + 2.0 * a * v4), xp.inf)
-    return newton(xp, f13, v1, v13, xp.inf, 0.5, 4.0)
+    def f279(v282):
+        v283 = xp.hypot(a, v282)
+        v285 = xp.arctan2(v282, a)
+        v286 = xp.where(v18, a, 0.5 * v17)
+        v287 = xp.hypot(v286, v282)
+        v288 = v287 > v17
+        v289 = xp.where(v288, v287, 2.0 * v17)
+        v290 = v286 < v17
+        v291 = xp.where(v290, v286, 0.5 * v17)
+        v292 = v291 < v17
+        v294 = difference_root(xp, v17, xp.where(v292, v291, 0.5 * v17))
+        v298 = xp.maximum(v282 - v294, 0.0) * (v282 + v294)
+        v299 = v298 > 0.0
+        v303 = xp.where(v292, 2.0 * v17, v291)
+        v304 = xp.where(v292, xp.where(v299, xp.sqrt(xp.where(v299, v298, 1.0)), 0.0), v282)
+        v309 = xp.where(v288, 0.5 * v17, v287)
+        v308 = xp.where(v290, xp.arctan2(v304, v17), xp.arctan2(v282, xp.where(v290, 2.0 * v17, v286)))
+        v312 = xp.minimum(xp.where(v288, v308, 0.0), xp.arctan2(v282, v286))
+        v315 = xp.where(v18, v312, xp.arctan2(v282, xp.where(v18, 2.0 * v17, a)))
+        v316 = v285 - v315
+        v318 = v315 + v80 * v316
+        v322 = xp.minimum(xp.absolute(v283 * xp.cos(v318)), v17)
+        v330 = normal_slope(xp, v322, xp.sqrt((R - v322) * (R + v322)), R) * v318 * xp.sin(v318)
+        v333 = xp.where(v18, a, 0.5 * v17)
+        v334 = v333 < v17
+        v336 = difference_root(xp, v17, xp.where(v334, v333, 0.5 * v17))
+        v340 = xp.maximum(v282 - v336, 0.0) * (v282 + v336)
+        v341 = v340 > 0.0
+        v347 = xp.hypot(difference_root(xp, xp.where(v334, 2.0 * v17, v333), v17), v282)
+        v349 = xp.where(v18, 2.0 * v17, a)
+        v348 = xp.where(v334, xp.where(v341, xp.sqrt(xp.where(v341, v340, 1.0)), 0.0), v347)
+        v350 = xp.where(v18, v348, v282)
+        v352 = v350 > 0.0
+        v353 = xp.where(v352, v350, 1.0)
+        v355 = difference_root(xp, v17, xp.where(v18, a, 0.5 * v17))
+        v359 = xp.maximum(v282 - v355, 0.0) * (v282 + v355)
+        v360 = v359 > 0.0
+        v366 = xp.hypot(difference_root(xp, xp.where(v18, 2.0 * v17, a), v17), v282)
+        v367 = xp.where(v18, xp.where(v360, xp.sqrt(xp.where(v360, v359, 1.0)), 0.0), v366)
+        v368 = xp.where(v352, v367, v17)
+        v370 = xp.arcsinh(v17 / v368)
+        v372 = 1.5707963267948966 / v370
+        v374 = xp.arctan2(v134, v350) / v370
+        v385 = v372 * xp.sqrt(1.0 + v374 * v374) + v374 * xp.sqrt(1.0 + v372 * v372)
+        v387 = xp.arcsinh(xp.arctan2(v350, v134) / v370 * (v372 + v374) / v385)
+        v388 = v80 * v387
+        v391 = xp.arcsinh(v372)
+        v392 = 0.5 * v388
+        v397 = 2.0 * v370 * xp.cosh(v391 - v392) * xp.sinh(v392)
+        v400 = v368 * xp.maximum(xp.cos(v397), 1e-17)
+        v403 = xp.sqrt(v17 * v17 + v400 * v400)
+        v411 = v368 * xp.sin(v397)
+        v409 = normal_slope_beyond(xp, v403, v400, R, theta) * v400 * v370 * xp.cosh(v391 - v388)
+        v416 = v387 * xp.sum(v81 * (v409 * xp.arctan2(v411, v403) * (v411 / v403)), axis=0)
+        v420 = 1.2732395447351628 * (sigma_0 / E_star)
+        v423 = v282 / (v283 + a)
+        v418 = 0.6366197723675814 * v283 * (v316 * xp.sum(v81 * v330, axis=0)) + 0.6366197723675814 * v416
+        v426 = v418 + v420 * v282 * (v285 - v423)
+        v428 = v282 / v283
+        v432 = xp.cos(v315 + v80 * v316)
+        v435 = xp.minimum(xp.absolute(v283 * v432), v17)
+        v441 = normal_slope(xp, v435, xp.sqrt((R - v435) * (R + v435)), R) * v432
+        v444 = v80 * v387
+        v447 = xp.arcsinh(v372)
+        v448 = 0.5 * v444
+        v455 = xp.maximum(xp.cos(2.0 * v370 * xp.cosh(v447 - v448) * xp.sinh(v448)), 1e-17)
+        v456 = v368 * v455
+        v461 = normal_slope_beyond(xp, xp.sqrt(v17 * v17 + v456 * v456), v456, R, theta) * v456
+        v467 = v387 * xp.sum(v81 * (v461 * v370 * xp.cosh(v447 - v444) / v283), axis=0)
+        v469 = 0.6366197723675814 * (v316 * xp.sum(v81 * v441, axis=0)) + 0.6366197723675814 * v467
+        return (v426, v282 / v426 * v428 * (v469 + v420 * (v285 / v428 - v428 * v423)))
+    v281 = xp.minimum(v12 * ((v214 * v215) ** (v270 / v266) + v276) ** (-1.0 / v270), xp.inf)
+    return newton(xp, f279, v1, v281, xp.inf, 0.5, 4.0)
 
 
 def cohesive_radius(xp, a, R, theta, E_star, dgamma, sigma_0):

@@ -6,11 +6,10 @@ from math import expm1, pow
 
 from ....._programs.bodies._runtime.graded.growth import sphere_depth, sphere_force, sphere_rate
 from ....._programs.bodies._runtime.graded.rules import raised, sine_integral, sine_over
-from ....._programs.bodies._runtime.integrals import difference_root
 from ....._programs.bodies._runtime.interface import either
 from ....._runtime.graded.single import weighted
 from ....._runtime.plain import integral_in_strip
-from ....._runtime.plain import log, log1p, MATH as np
+from ....._runtime.plain import log, log1p, sqrt, MATH as np
 
 
 def flank_depth(a, root, b, k):
@@ -136,8 +135,9 @@ def tipped_force(a, root, R, b, end, k):
 
 
 def _within(a, R, b):
-    inner = np.minimum(a, b)
-    return (inner, difference_root(R, inner))
+    v3 = a if a < b or a != a else b
+    v4 = R - v3
+    return (v3, sqrt((v4 if v4 > 0.0 or v4 != v4 else 0.0) * (R + v3)))
 
 
 def _cap(t, root, b, end, k, of):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import exp, expm1, fsum, inf, isfinite, pow
+from math import asinh, exp, expm1, fsum, inf, isfinite, pow, sinh
 
 from ....._programs.bodies._runtime.graded.growth import axis_power
 from ....._programs.bodies._runtime.graded.rules import nodes_for, raised, sinh_over
@@ -74,10 +74,9 @@ def _from_branch(smooth, scale, reach, k, above=None):
 
 
 def _panel(scale, reach, longest):
-    """The length of the first panel in arcsinh(y/scale), and the y where the rest starts, `reach` if there is none."""
-    whole = np.arcsinh(reach / scale)
-    first = np.minimum(whole, longest)
-    return (first, scale * np.sinh(first) if first < whole else reach)
+    v4 = asinh(reach / scale)
+    v5 = v4 if v4 < longest or v4 != v4 else longest
+    return (v5, scale * sinh(v5) if v5 < v4 else reach)
 
 
 def growth_far(integrand, start, reach, scale):

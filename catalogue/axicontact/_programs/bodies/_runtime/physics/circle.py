@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import inf
 
 from ....._programs.bodies._runtime.interface import either
 from ....._programs.bodies._runtime.special import gamma_ratio
@@ -48,9 +49,13 @@ def elliptic(kc, b):
 
 
 def _far(r, a):
-    """The longer length, and the root of 1 - (shorter/longer)**2."""
-    far, near = (np.maximum(r, a), np.minimum(r, a))
-    return (far, np.sqrt((far - near) / far * ((far + near) / far)) if far < np.inf else 1.0)
+    v2 = r if r > a or r != r else a
+    if v2 < inf:
+        v3 = r if r < a or r != r else a
+        v13 = sqrt((v2 - v3) / v2 * ((v2 + v3) / v2))
+    else:
+        v13 = 1.0
+    return (v2, v13)
 
 
 def power(r, a, s):

@@ -9,13 +9,13 @@ from ....._programs.bodies._runtime.inverse import inverse
 from ....._runtime.plain import both, integral_in_strip
 from ....._runtime.plain import sqrt, MATH as np
 
+CLOSE = 3e-08
 CLOSEST = 1e-09
-DECAY = 40.0
 EMPTY = 0.5707963267948966
 EXPONENTS = (0.5, 4.0,)
-FALLING = 1.2
+INSIDE = 0.75
 NARROW = 0.7
-SAME = 1e-13
+SAME = 1e-12
 WITHIN = 0.999999
 
 
@@ -23,113 +23,25 @@ def outer_radius(q, a):
     return hypot(a, q)
 
 
-def opening(slope, q, a, nodes):
+def opening(slope, q, a, lengths):
     """For g' without singularities."""
-    return _along(slope, np.hypot(a, q), 0.0, np.arctan2(q, a), nodes)
+    return _along(slope, np.hypot(a, q), 0.0, np.arctan2(q, a), 1.0, lengths)
 
 
-def _along(slope, c, start, length, nodes):
+def _along(slope, c, start, length, width, lengths):
 
     def gained(v):
         u = start + v
         cosine = np.cos(u)
         growth = slope(c * cosine)
         return (growth * u * np.sin(u), growth * cosine)
-    gap, rate = both(gained, length, 1.0, ((np.inf, nodes),))
+    gap, rate = both(gained, length, width, lengths)
     return (2.0 / np.pi * c * gap, 2.0 / np.pi * rate)
-
-
-def opening_power(slope, q, a, n):
-    """For a g' that is a power n - 1 of t."""
-    c = np.hypot(a, q)
-    far = q / (a if a > 0.0 else 1.0) if a > 0.0 else np.inf
-    end = np.arcsinh(np.minimum(np.arcsinh(far), DECAY / np.minimum(n, FALLING)))
-
-    def gained(v):
-        steep = np.sinh(v)
-        side, secant = (np.sinh(steep), np.cosh(steep))
-        growth = slope(c / secant) / secant * np.cosh(v)
-        return (growth * np.arctan(side) * (side / secant), growth / secant)
-    gap, rate = both(gained, end)
-    return (2.0 / np.pi * c * gap, 2.0 / np.pi * rate)
-
-
-def opening_beside(slope, q, a, b):
-    """For g' with singularities at b on the imaginary axis, which is next to the end of the path where c is far."""
-    c, angle = (np.hypot(a, q), np.arctan2(q, a))
-    scale = np.arcsinh(b / c)
-    last, end = _crowded(angle, np.arctan2(a, q), scale)
-
-    def gained(v):
-        u = 2.0 * scale * np.cosh(last - 0.5 * v) * np.sinh(0.5 * v)
-        cosine = np.cos(u)
-        growth = slope(c * cosine) * scale * np.cosh(last - v)
-        return (growth * u * np.sin(u), growth * cosine)
-    gap, rate = both(gained, end, NARROW)
-    return (2.0 / np.pi * c * gap, 2.0 / np.pi * rate)
-
-
-def _crowded(angle, rest, scale):
-    """Of pi/2 - u = scale sinh(last - v): the last v, at pi/2, and the v of an angle u that leaves a rest to it."""
-    x, y = (0.5 * np.pi / scale, rest / scale)
-    return (np.arcsinh(x), np.arcsinh(angle / scale * (x + y) / (x * np.sqrt(1.0 + y * y) + y * np.sqrt(1.0 + x * x))))
-
-
-def opening_below(slope, q, a, R):
-    """For g' singular at t = R; `slope` takes t and sqrt(R**2 - t**2)."""
-    c, angle = (np.hypot(a, q), np.arctan2(q, a))
-    reach = difference_root(R, a)
-    left = np.sqrt(np.maximum(reach - q, 0.0) * (reach + q))
-    scale = np.arcsinh(left / c)
-    inside = scale > 0.0
-    scale = scale if inside else 1.0
-    end = np.arcsinh(angle / scale)
-
-    def gained(v):
-        u = scale * np.sinh(v)
-        sine, cosine = (np.sin(u), np.cos(u))
-        growth = slope(c * cosine, np.hypot(left, c * sine)) * scale * np.cosh(v)
-        return (growth * u * sine, growth * cosine)
-    gap, rate = both(gained, end, NARROW)
-    return (2.0 / np.pi * c * gap if inside else np.inf, 2.0 / np.pi * rate if inside else np.inf)
-
-
-def opening_tip(slope, q, a, b, nodes):
-    """What is below a break at b of g' without singularities there."""
-    c, end = (np.hypot(a, q), np.arctan2(q, a))
-    outer = np.sqrt(np.maximum(q - difference_root(b, a), 0.0) * (q + difference_root(b, a))) if a < b else q
-    start = np.arctan2(outer, b) if a < b else end
-    start = np.minimum(start if c > b else 0.0, end)
-    start = start if a < b else end
-    return _along(lambda t: slope(np.minimum(t, b)), c, start, end - start, nodes)
-
-
-def opening_beyond(slope, q, a, b):
-    """What is beyond it; `slope` takes t and sqrt(t**2 - b**2), in which it is regular but for the imaginary axis."""
-    c, inner, short = (np.hypot(a, q), difference_root(a, b), difference_root(b, a))
-    outer = np.sqrt(np.maximum(q - short, 0.0) * (q + short)) if a < b else np.hypot(inner, q)
-    whole = outer if a < b else q
-    holds = whole > 0.0
-    outer, whole = (outer if holds else b, whole if holds else b)
-    scale = np.arcsinh(b / outer)
-    angle = np.arctan2(whole, inner)
-    last, end = _crowded(angle, np.arctan2(inner, whole), scale)
-
-    def gained(v):
-        turned = 2.0 * scale * np.cosh(last - 0.5 * v) * np.sinh(0.5 * v)
-        root, side = (outer * np.cos(turned), outer * np.sin(turned))
-        t = np.sqrt(b * b + root * root)
-        growth = slope(t, root) * root * scale * np.cosh(last - v)
-        return (growth * np.arctan2(side, t) * (side / t), growth / c)
-    gap, rate = both(gained, end)
-    return (2.0 / np.pi * gap if holds else 0.0, 2.0 / np.pi * rate if holds else 0.0)
 
 
 def work_of_zone(opened, q, a, E_star, sigma_0):
     """sigma_0 times the gap at c."""
-    c, angle = (np.hypot(a, q), np.arctan2(q, a))
-    gap, _ = opened(q, a)
-    return sigma_0 * (gap + 4.0 / np.pi * (sigma_0 / E_star) * q * (angle - q / (c + a)))
+    return sigma_0 * (opened(q, a)[0] + ring_of_zone(q, a, E_star, sigma_0))
 
 
 def zone_within(opened, a, E_star, dgamma, sigma_0, largest):
@@ -141,11 +53,24 @@ def zone_within(opened, a, E_star, dgamma, sigma_0, largest):
 def root_of_zone(opened, a, E_star, dgamma, sigma_0, largest=np.inf):
     """The q at which the gap at c is dgamma/sigma_0."""
     part = 0.25 * np.pi * (dgamma / sigma_0) * (E_star / sigma_0)
-    start = 0.5 * part / EMPTY + np.sqrt((0.5 * part / EMPTY) ** 2 + 2.0 * a * part)
-    return root_near(opened, start, a, E_star, dgamma, sigma_0, largest)[0]
+    wide = 0.5 / EMPTY * part
+    start = wide + np.hypot(wide, np.sqrt(2.0 * a) * np.sqrt(part))
+    start = np.minimum(start, INSIDE * largest)
+    c, (gap, rate) = (np.hypot(a, start), opened(start, a))
+    known = gap > 0.0
+    grown = start / (gap if known else 1.0) * (start / c) * rate if known else 1.0
+    ring = 1.0 + a / c
+    blend = 0.5 * (grown + ring)
+    own = ring_of_zone(start, a, E_star, sigma_0) * (sigma_0 / dgamma)
+    whole = (gap * (sigma_0 / dgamma)) ** (blend / grown) + own ** (blend / ring)
+    return root_near(opened, start * whole ** (-1.0 / blend), a, E_star, dgamma, sigma_0, largest, CLOSE)[0]
 
 
-def root_near(opened, start, a, E_star, dgamma, sigma_0, largest=np.inf):
+def ring_of_zone(q, a, E_star, sigma_0):
+    return 1.2732395447351628 * (sigma_0 / E_star) * q * (atan2(q, a) - q / (hypot(a, q) + a))
+
+
+def root_near(opened, start, a, E_star, dgamma, sigma_0, largest=np.inf, close=3e-07):
     """The same from a guess on, and the rate of the gap with c there."""
     load, looked = (4.0 / np.pi * (sigma_0 / E_star), [])
 
@@ -156,10 +81,14 @@ def root_near(opened, start, a, E_star, dgamma, sigma_0, largest=np.inf):
         short = q / c * (q / (c + a))
         whole = gap + load * q * (angle - q / (c + a))
         return (whole, q / whole * (q / c) * (rate + load * (angle / (q / c) - short)))
-    start = np.minimum(start, 0.75 * largest)
-    q = inverse(curve, dgamma / sigma_0, start, EXPONENTS, largest, smooth=True)
-    last, rate = looked[-1]
-    return (q, opened(q, a)[1] if np.any(np.abs(q - last) > SAME * q) else rate)
+    value = dgamma / sigma_0
+    q = inverse(curve, value, np.minimum(start, WITHIN * largest), EXPONENTS, largest, smooth=True, noise=close * value)
+    (before, rate_before), (last, rate) = (looked[-2:][0], looked[-1])
+    known = (before != last) & (rate_before > 0.0)
+    if np.any((0.0 if known else np.abs(q - last)) > SAME * q):
+        return (q, opened(q, a)[1])
+    ways = (np.log(last / before if known else 1.0), np.log(rate / rate_before if known else 1.0))
+    return (q, rate * (q / last) ** (ways[1] / (ways[0] if known else 1.0) if known else 0.0))
 
 
 def sunk(q, E_star, sigma_0):

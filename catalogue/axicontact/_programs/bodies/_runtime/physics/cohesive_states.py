@@ -14,7 +14,7 @@ FLAT = 0.3
 LEAST = 1e-20
 LONGEST = 27.0
 ROUNDING = 1e-15
-SETTLED = 2e-14
+SETTLED = 1e-11
 SHORT = 0.01
 SHORTEST = 0.7
 STEEP = 1.0
@@ -51,7 +51,7 @@ def endless(a):
 
 def radius_of_pull_off(near, stretch):
     """That of the least load: 0 where it falls as long as there is a contact, not a number beyond the profile."""
-    return _least(_risen(near, _walked(near, stretch, _by_ratio))).a
+    return _least(_risen(near, _walked(near, stretch, _by_ratio, _never))).a
 
 
 def radius_under(near, value, stretch):
@@ -60,7 +60,10 @@ def radius_under(near, value, stretch):
     def missed(state):
         far = np.log(np.maximum(state.load, LEAST * value) / value) if state.load > 0.0 else -SHORTEST
         return np.log(state.ratio) if state.ratio < 1.0 else far if state.load < value else 0.0
-    risen, left = (_risen(near, _walked(near, stretch, missed)), value < np.inf)
+    found = _walked(near, stretch, missed, lambda state: (state.ratio >= 1.0) & (state.load <= value))
+    if np.all(found[0].a > 0.0) and (not np.all(found[-1].load >= value)):
+        found = _walked(near, stretch, missed, _never)
+    risen, left = (_risen(near, found), value < np.inf)
     least, a = (_least(risen), np.full_like(value, np.nan))
     for start, high, _ in risen[::-1]:
         met = left & (start.load - value <= ROUNDING * (np.abs(start.load) + np.abs(value))) & (high.load >= value)
@@ -96,7 +99,7 @@ def parted(opened, first, E_star, sigma_0):
         return State(c, c, ratio, ratio)
     last = near(first, first)
     least = _between(near, _by_ratio, _none(last)._replace(a=np.zeros_like(first)), last, last.ratio >= 1.0)
-    return least.a if least.ratio < 2.0 else 0.0 * first
+    return 0.0 if np.isnan(least.a) else least.a
 
 
 def _by_ratio(state):
@@ -127,16 +130,29 @@ def _picked(condition, one, other):
     return [x if condition else y for x, y in zip(one, other, strict=True)]
 
 
-def _walked(near, stretch, missed):
-    """States in ascending order, from no contact on to where nothing is missed, or to the end of the profile."""
+def _never(state):
+    return state.ratio < 0.0
+
+
+def _walked(near, stretch, missed, enough):
+    """States in ascending order on to where nothing is missed, or to the end of the profile.
+
+    They begin at the highest of the radii at which there is `enough`, without a contact if there is none.
+    """
     first, own, top, within, rises = stretch
-    last = near(np.zeros_like(first), first)
-    found = [last]
-    for a in own:
-        here = near(within(a), _guess(found, a))
+    states, guides = (list[State](), list[State]())
+    for a in own[::-1]:
+        guess = _guess(guides, a) if guides else first
+        states.append(near(within(a), guess))
+        guides.append(State(a, guess if np.isnan(states[-1].q) else states[-1].q, *states[-1][2:]))
+        if np.all(enough(states[-1])):
+            break
+    found = [] if np.all(enough(states[-1])) else [near(np.zeros_like(first), first)]
+    for here, a in zip(states[::-1], own[-len(states):], strict=True):
         reached = here.ratio == here.ratio
-        last, top = (_chosen(reached, here, last), top if reached else np.minimum(a, top))
-        found.append(last)
+        found.append(_chosen(reached, here, found[-1]) if found else here)
+        top = top if reached else np.minimum(a, top)
+    last = found[-1]
     step, ended, steep = (np.full_like(first, SHORTEST), first != first, np.full_like(first, STEEP))
     for _ in range(WALKED):
         short = missed(last)
@@ -158,7 +174,7 @@ def _walked(near, stretch, missed):
 def _guess(found, a):
     """q at a radius, by a line in logarithms through the last two states."""
     last, before = (found[-1], found[-2:][0])
-    known = (before.a > 0.0) & (last.a > before.a)
+    known = (before.a > 0.0) & (last.a != before.a)
     slope = np.log(last.q / before.q) / np.log(last.a / before.a) if known else 0.0
     return last.q * ((a / last.a) ** slope if known else 1.0)
 
@@ -179,8 +195,9 @@ def _between(near, missed, low, high, holds):
         slope = (z_b - z) / (x_b - x)
         bend = 0.0 if x_c == x_b else (slope - (z_c - z) / (x_c - x)) / (x_b - x_c)
         state = near(unit * np.exp(moved), np.exp(z + (moved - x) * (slope + (moved - x_b) * bend)))
-        best, gone = (_chosen(left, state, best), np.abs(moved - x))
-        found = missed(state)
+        found, gone = (missed(state), np.abs(moved - x))
+        rest = found * (moved - x) / (found - y) if (np.abs(found) <= SETTLED) & (found != y) else 0.0
+        best = _chosen(left, state._replace(a=unit * np.exp(moved - rest)), best)
         left = left & (np.abs(found) > SETTLED) & (gone > UNMOVED)
         if not np.count_nonzero(left):
             break

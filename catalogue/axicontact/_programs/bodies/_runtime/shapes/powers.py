@@ -11,7 +11,6 @@ from ....._runtime.plain import log, log1p, sqrt, rule, MATH as np
 
 NODES = 64
 STEEP = 6.0
-_DECAY = 42.0
 RULE_0 = rule(((16.0, 64), (inf, 128)))
 
 
@@ -74,6 +73,7 @@ def _log_ratio(x, y):
 
 
 def _span(r, a, n):
-    start = np.sqrt(_log_ratio(r, a))
-    fall = _DECAY / (n + 1.0)
-    return (start, fall / (np.sqrt(start * start + fall) + start))
+    v4 = (r - a) / a
+    v11 = sqrt(log1p(v4) if isfinite(v4) else log(r) - log(a))
+    v15 = 42.0 / (n + 1.0)
+    return (v11, v15 / (sqrt(v11 * v11 + v15) + v11))

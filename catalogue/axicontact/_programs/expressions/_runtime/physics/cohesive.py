@@ -4,6 +4,11 @@ from ....._programs.expressions._runtime.integrals import difference_root
 from ....._runtime.steps import nodes_along
 
 
+def ring_of_zone(xp, q, a, E_star, sigma_0):
+    v8 = xp.arctan2(q, a) - q / (xp.hypot(a, q) + a)
+    return 1.2732395447351628 * (sigma_0 / E_star) * q * v8
+
+
 def pull_of_zone(xp, q, a, sigma_0):
     v2 = xp.hypot(a, q)
     return 2.0 * sigma_0 * (v2 * v2 * xp.arctan2(q, a) + a * q)
