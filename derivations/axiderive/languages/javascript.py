@@ -337,6 +337,9 @@ class Printer:
                 return f"({' && '.join(found)})"
             case ast.IfExp(ast.Compare(ast.Call(ast.Name("type")), [ast.Is()], _), body, _):
                 return self.expr(body)
+            case ast.IfExp(ast.Name() as test, body, orelse):
+                # a list without members is false in Python alone
+                return f"(math.truth({self.expr(test)}) ? {self.expr(body)} : {self.expr(orelse)})"
             case ast.IfExp(test, body, orelse):
                 return f"({self.expr(test)} ? {self.expr(body)} : {self.expr(orelse)})"
             case ast.Tuple(values) | ast.List(values):
@@ -385,6 +388,8 @@ class Printer:
             return "false"
         if isinstance(function, ast.Name) and function.id == "isinstance":
             return f'(typeof {self.expr(node.args[0])} === "number")'
+        if isinstance(function, ast.Subscript) and ast.unparse(function.value) == "list":
+            return "[]"
         if isinstance(function, ast.Name) and function.id == "getattr":
             return f"{self.expr(node.args[0])}[{self.expr(node.args[1])}]"
         if isinstance(function, ast.Name) and function.id == "partial":
