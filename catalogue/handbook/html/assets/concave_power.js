@@ -13,7 +13,7 @@ const math = {
   logical_not: (x) => !x,
   where: (condition, x, y) => (condition ? x : y),
   minimum: (x, y) => (x < y || x !== x ? x : y),
-  maximum: (x, y) => (x > y || x !== x ? x : y),
+  maximum: (x, y = x) => (x > y || x !== x ? x : y),
   clip: (x, low, high) => Math.min(Math.max(x, low), high),
   sqrt: Math.sqrt,
   log: (x) => Math.log(x),
@@ -25,6 +25,7 @@ const math = {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
     return Array.from({ length: Math.max(Math.ceil((stop - start) / step), 0) }, (_, count) => start + step * count);
   },
+  truth: (x) => (Array.isArray(x) ? x.length > 0 : Boolean(x)),
   zip: (x, y) => x.slice(0, y.length).map((value, place) => [value, y[place]]),
   // named fields that are told by their places too
   record: (fields) => Object.assign(Object.values(fields), fields),
@@ -330,7 +331,7 @@ const _energy = (d, a, h, n, E_star) => {
     v69 = ((((v8 < 1.0) ? ((v8 * (v8 + 1.0)) / v14) : (1.0 - ((v8 + 0.75) / v14))) * Math.sqrt(v10)) * (1.0 + (v28 * (((((((((((((0.01524698625788054 * v28) + 0.5334320651111477) * v28) + 2.250488865813539) * v28) + 2.8612106440066865) * v28) + 1.3794681629043655) * v28) + 0.2596058532893223) * v28) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v28) + 49.328555418276075) * v28) + 167.28648538571198) * v28) + 195.37226190335065) * v28) + 90.69722535867314) * v28) + 16.763212110504565) * v28) + 1.0)))));
     v87 = (n > 2.0);
     if (v87) {
-      v89 = (v87 ? n : 3.0);
+      v89 = (math.truth(v87) ? n : 3.0);
       v90 = (v89 - 2.0);
       v99 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v90) / (v90 + 0.72))) / v90));
       if ((v90 < 2.0)) {
@@ -487,7 +488,7 @@ const _fallen_pressure = (depth, n) => {
     v10 = (depth - (42.0 / (((v5 > 0.001) || (v5 !== v5)) ? v5 : 0.001)));
     v12 = (((v10 > 0.0) || (v10 !== v10)) ? v10 : 0.0);
     v13 = math.sqrt(depth);
-    v18 = (v3 ? (v13 - math.sqrt(v12)) : math.sqrt((depth - v12)));
+    v18 = (math.truth(v3) ? (v13 - math.sqrt(v12)) : math.sqrt((depth - v12)));
     v22 = (2.0 * v13);
     v27 = (-v5);
     v42 = [];
@@ -499,7 +500,7 @@ const _fallen_pressure = (depth, n) => {
       } else {
         v32 = v20;
       }
-      v41 = (Math.exp((v27 * (v3 ? (v20 * (v22 - v20)) : (v20 * v20)))) * ((2.0 * v32) / math.sqrt((-Math.expm1((((-2.0) * v32) * v32))))));
+      v41 = (Math.exp((v27 * (math.truth(v3) ? (v20 * (v22 - v20)) : (v20 * v20)))) * ((2.0 * v32) / math.sqrt((-Math.expm1((((-2.0) * v32) * v32))))));
       v42.push((weight * v41));
     }
     v42 = (math.fsum(v42) * v18);
@@ -546,7 +547,7 @@ const _load_within = (r, d, a, h, n, E_star) => {
     v70 = ((((v9 < 1.0) ? ((v9 * (v9 + 1.0)) / v15) : (1.0 - ((v9 + 0.75) / v15))) * Math.sqrt(v11)) * (1.0 + (v29 * (((((((((((((0.01524698625788054 * v29) + 0.5334320651111477) * v29) + 2.250488865813539) * v29) + 2.8612106440066865) * v29) + 1.3794681629043655) * v29) + 0.2596058532893223) * v29) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v29) + 49.328555418276075) * v29) + 167.28648538571198) * v29) + 195.37226190335065) * v29) + 90.69722535867314) * v29) + 16.763212110504565) * v29) + 1.0)))));
     v142 = (1.7724538509055159 * h);
     v158 = (n > 2.0);
-    v160 = (v158 ? n : 3.0);
+    v160 = (math.truth(v158) ? n : 3.0);
     v161 = (v160 - 2.0);
     v170 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v161) / (v161 + 0.72))) / v161));
     if ((v161 < 2.0)) {
@@ -685,7 +686,7 @@ const _load_within = (r, d, a, h, n, E_star) => {
             v99 = (v94 - (42.0 / (((v77 > 0.001) || (v77 !== v77)) ? v77 : 0.001)));
             v100 = (((v99 > 0.0) || (v99 !== v99)) ? v99 : 0.0);
             v101 = Math.sqrt(v94);
-            v106 = (v75 ? (v101 - Math.sqrt(v100)) : Math.sqrt((v94 - v100)));
+            v106 = (math.truth(v75) ? (v101 - Math.sqrt(v100)) : Math.sqrt((v94 - v100)));
             v109 = (2.0 * v101);
             v114 = (-v77);
             v129 = [];
@@ -697,7 +698,7 @@ const _load_within = (r, d, a, h, n, E_star) => {
               } else {
                 v119 = v108;
               }
-              v128 = (Math.exp((v114 * (v75 ? (v108 * (v109 - v108)) : (v108 * v108)))) * ((2.0 * v119) / Math.sqrt((-Math.expm1((((-2.0) * v119) * v119))))));
+              v128 = (Math.exp((v114 * (math.truth(v75) ? (v108 * (v109 - v108)) : (v108 * v108)))) * ((2.0 * v119) / Math.sqrt((-Math.expm1((((-2.0) * v119) * v119))))));
               v129.push((weight * v128));
             }
             v129 = (math.fsum(v129) * v106);
@@ -705,9 +706,9 @@ const _load_within = (r, d, a, h, n, E_star) => {
           } else {
             v130 = 0.0;
           }
-          v132 = ((v75 ? 1.0 : (Math.pow((r / a), n) * (a / r))) * v130);
+          v132 = ((math.truth(v75) ? 1.0 : (Math.pow((r / a), n) * (a / r))) * v130);
         } else {
-          v132 = (v75 ? (1.0 / v77) : Infinity);
+          v132 = (math.truth(v75) ? (1.0 / v77) : Infinity);
         }
         v134 = (r * r);
         v136 = (Math.sqrt((v71 * (a + r))) + a);
@@ -843,7 +844,7 @@ const _force_of_concave_power = (d, a, h, n, E_star) => {
     v69 = ((((v8 < 1.0) ? ((v8 * (v8 + 1.0)) / v14) : (1.0 - ((v8 + 0.75) / v14))) * Math.sqrt(v10)) * (1.0 + (v28 * (((((((((((((0.01524698625788054 * v28) + 0.5334320651111477) * v28) + 2.250488865813539) * v28) + 2.8612106440066865) * v28) + 1.3794681629043655) * v28) + 0.2596058532893223) * v28) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v28) + 49.328555418276075) * v28) + 167.28648538571198) * v28) + 195.37226190335065) * v28) + 90.69722535867314) * v28) + 16.763212110504565) * v28) + 1.0)))));
     v70 = (n > 2.0);
     if (v70) {
-      v72 = (v70 ? n : 3.0);
+      v72 = (math.truth(v70) ? n : 3.0);
       v73 = (v72 - 2.0);
       v82 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v73) / (v73 + 0.72))) / v73));
       if ((v73 < 2.0)) {
@@ -1001,7 +1002,7 @@ const _pressure = (r, d, a, h, n, E_star) => {
     v70 = ((((v9 < 1.0) ? ((v9 * (v9 + 1.0)) / v15) : (1.0 - ((v9 + 0.75) / v15))) * Math.sqrt(v11)) * (1.0 + (v29 * (((((((((((((0.01524698625788054 * v29) + 0.5334320651111477) * v29) + 2.250488865813539) * v29) + 2.8612106440066865) * v29) + 1.3794681629043655) * v29) + 0.2596058532893223) * v29) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v29) + 49.328555418276075) * v29) + 167.28648538571198) * v29) + 195.37226190335065) * v29) + 90.69722535867314) * v29) + 16.763212110504565) * v29) + 1.0)))));
     v146 = (n > 2.0);
     if (v146) {
-      v148 = (v146 ? n : 3.0);
+      v148 = (math.truth(v146) ? n : 3.0);
       v149 = (v148 - 2.0);
       v158 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v149) / (v149 + 0.72))) / v149));
       if ((v149 < 2.0)) {
@@ -1135,7 +1136,7 @@ const _pressure = (r, d, a, h, n, E_star) => {
             v108 = (v103 - (42.0 / (((v86 > 0.001) || (v86 !== v86)) ? v86 : 0.001)));
             v109 = (((v108 > 0.0) || (v108 !== v108)) ? v108 : 0.0);
             v110 = Math.sqrt(v103);
-            v115 = (v84 ? (v110 - Math.sqrt(v109)) : Math.sqrt((v103 - v109)));
+            v115 = (math.truth(v84) ? (v110 - Math.sqrt(v109)) : Math.sqrt((v103 - v109)));
             v118 = (2.0 * v110);
             v123 = (-v86);
             v138 = [];
@@ -1147,7 +1148,7 @@ const _pressure = (r, d, a, h, n, E_star) => {
               } else {
                 v128 = v117;
               }
-              v137 = (Math.exp((v123 * (v84 ? (v117 * (v118 - v117)) : (v117 * v117)))) * ((2.0 * v128) / Math.sqrt((-Math.expm1((((-2.0) * v128) * v128))))));
+              v137 = (Math.exp((v123 * (math.truth(v84) ? (v117 * (v118 - v117)) : (v117 * v117)))) * ((2.0 * v128) / Math.sqrt((-Math.expm1((((-2.0) * v128) * v128))))));
               v138.push((weight * v137));
             }
             v138 = (math.fsum(v138) * v115);
@@ -1155,9 +1156,9 @@ const _pressure = (r, d, a, h, n, E_star) => {
           } else {
             v139 = 0.0;
           }
-          v141 = ((v84 ? 1.0 : (Math.pow((r / a), n) * (a / r))) * v139);
+          v141 = ((math.truth(v84) ? 1.0 : (Math.pow((r / a), n) * (a / r))) * v139);
         } else {
-          v141 = (v84 ? (1.0 / v86) : Infinity);
+          v141 = (math.truth(v84) ? (1.0 / v86) : Infinity);
         }
         return (E_star * (((d / (3.141592653589793 * v74)) + ((h * v70) / (1.7724538509055159 * v74))) - ((((n * h) * v141) * v70) / (1.7724538509055159 * a))));
       }
@@ -1235,7 +1236,7 @@ const _displacement = (r, d, a, h, n) => {
     v69 = ((((v8 < 1.0) ? ((v8 * (v8 + 1.0)) / v14) : (1.0 - ((v8 + 0.75) / v14))) * Math.sqrt(v10)) * (1.0 + (v28 * (((((((((((((0.01524698625788054 * v28) + 0.5334320651111477) * v28) + 2.250488865813539) * v28) + 2.8612106440066865) * v28) + 1.3794681629043655) * v28) + 0.2596058532893223) * v28) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v28) + 49.328555418276075) * v28) + 167.28648538571198) * v28) + 195.37226190335065) * v28) + 90.69722535867314) * v28) + 16.763212110504565) * v28) + 1.0)))));
     v129 = (n > 2.0);
     if (v129) {
-      v131 = (v129 ? n : 3.0);
+      v131 = (math.truth(v129) ? n : 3.0);
       v132 = (v131 - 2.0);
       v141 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v132) / (v132 + 0.72))) / v132));
       if ((v132 < 2.0)) {
@@ -1434,7 +1435,7 @@ const _depth_from_force = (F, a, h, n, E_star) => {
     v69 = ((((v8 < 1.0) ? ((v8 * (v8 + 1.0)) / v14) : (1.0 - ((v8 + 0.75) / v14))) * Math.sqrt(v10)) * (1.0 + (v28 * (((((((((((((0.01524698625788054 * v28) + 0.5334320651111477) * v28) + 2.250488865813539) * v28) + 2.8612106440066865) * v28) + 1.3794681629043655) * v28) + 0.2596058532893223) * v28) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v28) + 49.328555418276075) * v28) + 167.28648538571198) * v28) + 195.37226190335065) * v28) + 90.69722535867314) * v28) + 16.763212110504565) * v28) + 1.0)))));
     v70 = (n > 2.0);
     if (v70) {
-      v72 = (v70 ? n : 3.0);
+      v72 = (math.truth(v70) ? n : 3.0);
       v73 = (v72 - 2.0);
       v82 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v73) / (v73 + 0.72))) / v73));
       if ((v73 < 2.0)) {
@@ -1584,7 +1585,7 @@ const _zero_radius = (a, n, h = 1.0) => {
   if (((a > 1e-30) && (a < 1e+30) && (n > 1e-30) && (n < 1e+30) && (h > 1e-30) && (h < 1e+30))) {
     v3 = (n > 2.0);
     if (v3) {
-      v5 = (v3 ? n : 3.0);
+      v5 = (math.truth(v3) ? n : 3.0);
       v6 = (v5 - 2.0);
       v15 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v6) / (v6 + 0.72))) / v6));
       if ((v6 < 2.0)) {
@@ -1722,7 +1723,7 @@ const _minimum_depth_of_concave_power = (h, n, a = 1.0) => {
   if (((h > 1e-30) && (h < 1e+30) && (n > 1e-30) && (n < 1e+30) && (a > 1e-30) && (a < 1e+30))) {
     v3 = (n > 2.0);
     if (v3) {
-      v5 = (v3 ? n : 3.0);
+      v5 = (math.truth(v3) ? n : 3.0);
       v6 = (v5 - 2.0);
       v15 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v6) / (v6 + 0.72))) / v6));
       if ((v6 < 2.0)) {
@@ -1864,7 +1865,7 @@ const _minimum_force_of_concave_power = (a, h, n, E_star) => {
   if (((a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (n > 1e-30) && (n < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
     v5 = (n > 2.0);
     if (v5) {
-      v7 = (v5 ? n : 3.0);
+      v7 = (math.truth(v5) ? n : 3.0);
       v8 = (v7 - 2.0);
       v17 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v8) / (v8 + 0.72))) / v8));
       if ((v8 < 2.0)) {
@@ -2126,7 +2127,7 @@ const lifted_at_zero_pressure = (n, k) => {
   if (v6) {
     v3 = (1.0 + k);
     v5 = (v3 / 2.0);
-    v8 = (v6 ? n : 3.0);
+    v8 = (math.truth(v6) ? n : 3.0);
     v9 = (v8 - 2.0);
     v10 = (1.0 - k);
     v16 = ((1.2732395447351628 * Math.sin((1.5707963267948966 * v10))) / v3);
@@ -2284,7 +2285,7 @@ const punch_stiffness = (a, H, k) => {
 const _force_2 = (d, a, h, n, H, k) => {
   let complete;
   complete = ((_minimum_depth_2(a, h, n, k) * (1.0 - 1e-15)) <= d);
-  return (complete ? (punch_stiffness(a, H, k) * (d + (((h * power_factor(n, k)) * (1.0 + k)) / ((n + 1.0) + k)))) : NaN);
+  return (math.truth(complete) ? (punch_stiffness(a, H, k) * (d + (((h * power_factor(n, k)) * (1.0 + k)) / ((n + 1.0) + k)))) : NaN);
 };
 
 const force_of_concave_power = (d, a, h, n, H, k) => {
@@ -2371,7 +2372,7 @@ const _tail = (rest, near, m, half, far) => {
     v19 = v7;
   } else {
     v12 = Math.abs(v10);
-    v19 = ((-Math.expm1(((-v12) * v7))) / (v11 ? 1.0 : v12));
+    v19 = ((-Math.expm1(((-v12) * v7))) / (math.truth(v11) ? 1.0 : v12));
   }
   v21 = (near + v7);
   v31 = (0.0 - half);
@@ -2381,7 +2382,7 @@ const _tail = (rest, near, m, half, far) => {
     v42 = v7;
   } else {
     v35 = Math.abs(v33);
-    v42 = ((-Math.expm1(((-v35) * v7))) / (v34 ? 1.0 : v35));
+    v42 = ((-Math.expm1(((-v35) * v7))) / (math.truth(v34) ? 1.0 : v35));
   }
   v56 = ((v31 * (1.0 - half)) / 2.0);
   v58 = (m - 4.0);
@@ -2390,7 +2391,7 @@ const _tail = (rest, near, m, half, far) => {
     v67 = v7;
   } else {
     v60 = Math.abs(v58);
-    v67 = ((-Math.expm1(((-v60) * v7))) / (v59 ? 1.0 : v60));
+    v67 = ((-Math.expm1(((-v60) * v7))) / (math.truth(v59) ? 1.0 : v60));
   }
   v82 = ((v56 * (2.0 - half)) / 3.0);
   v84 = (m - 6.0);
@@ -2399,7 +2400,7 @@ const _tail = (rest, near, m, half, far) => {
     v93 = v7;
   } else {
     v86 = Math.abs(v84);
-    v93 = ((-Math.expm1(((-v86) * v7))) / (v85 ? 1.0 : v86));
+    v93 = ((-Math.expm1(((-v86) * v7))) / (math.truth(v85) ? 1.0 : v86));
   }
   v107 = ((v82 * (3.0 - half)) / 4.0);
   v109 = (m - 8.0);
@@ -2408,7 +2409,7 @@ const _tail = (rest, near, m, half, far) => {
     v118 = v7;
   } else {
     v111 = Math.abs(v109);
-    v118 = ((-Math.expm1(((-v111) * v7))) / (v110 ? 1.0 : v111));
+    v118 = ((-Math.expm1(((-v111) * v7))) / (math.truth(v110) ? 1.0 : v111));
   }
   v133 = ((v107 * (4.0 - half)) / 5.0);
   v135 = (m - 10.0);
@@ -2417,7 +2418,7 @@ const _tail = (rest, near, m, half, far) => {
     v144 = v7;
   } else {
     v137 = Math.abs(v135);
-    v144 = ((-Math.expm1(((-v137) * v7))) / (v136 ? 1.0 : v137));
+    v144 = ((-Math.expm1(((-v137) * v7))) / (math.truth(v136) ? 1.0 : v137));
   }
   v158 = ((v133 * (5.0 - half)) / 6.0);
   v160 = (m - 12.0);
@@ -2426,7 +2427,7 @@ const _tail = (rest, near, m, half, far) => {
     v169 = v7;
   } else {
     v162 = Math.abs(v160);
-    v169 = ((-Math.expm1(((-v162) * v7))) / (v161 ? 1.0 : v162));
+    v169 = ((-Math.expm1(((-v162) * v7))) / (math.truth(v161) ? 1.0 : v162));
   }
   v184 = ((v158 * (6.0 - half)) / 7.0);
   v186 = (m - 14.0);
@@ -2435,7 +2436,7 @@ const _tail = (rest, near, m, half, far) => {
     v195 = v7;
   } else {
     v188 = Math.abs(v186);
-    v195 = ((-Math.expm1(((-v188) * v7))) / (v187 ? 1.0 : v188));
+    v195 = ((-Math.expm1(((-v188) * v7))) / (math.truth(v187) ? 1.0 : v188));
   }
   v209 = ((v184 * (7.0 - half)) / 8.0);
   v211 = (m - 16.0);
@@ -2444,7 +2445,7 @@ const _tail = (rest, near, m, half, far) => {
     v220 = v7;
   } else {
     v213 = Math.abs(v211);
-    v220 = ((-Math.expm1(((-v213) * v7))) / (v212 ? 1.0 : v213));
+    v220 = ((-Math.expm1(((-v213) * v7))) / (math.truth(v212) ? 1.0 : v213));
   }
   v235 = ((v209 * (8.0 - half)) / 9.0);
   v237 = (m - 18.0);
@@ -2453,7 +2454,7 @@ const _tail = (rest, near, m, half, far) => {
     v246 = v7;
   } else {
     v239 = Math.abs(v237);
-    v246 = ((-Math.expm1(((-v239) * v7))) / (v238 ? 1.0 : v239));
+    v246 = ((-Math.expm1(((-v239) * v7))) / (math.truth(v238) ? 1.0 : v239));
   }
   v260 = ((v235 * (9.0 - half)) / 10.0);
   v262 = (m - 20.0);
@@ -2462,7 +2463,7 @@ const _tail = (rest, near, m, half, far) => {
     v271 = v7;
   } else {
     v264 = Math.abs(v262);
-    v271 = ((-Math.expm1(((-v264) * v7))) / (v263 ? 1.0 : v264));
+    v271 = ((-Math.expm1(((-v264) * v7))) / (math.truth(v263) ? 1.0 : v264));
   }
   v286 = ((v260 * (10.0 - half)) / 11.0);
   v288 = (m - 22.0);
@@ -2471,7 +2472,7 @@ const _tail = (rest, near, m, half, far) => {
     v297 = v7;
   } else {
     v290 = Math.abs(v288);
-    v297 = ((-Math.expm1(((-v290) * v7))) / (v289 ? 1.0 : v290));
+    v297 = ((-Math.expm1(((-v290) * v7))) / (math.truth(v289) ? 1.0 : v290));
   }
   v311 = ((v286 * (11.0 - half)) / 12.0);
   v313 = (m - 24.0);
@@ -2480,7 +2481,7 @@ const _tail = (rest, near, m, half, far) => {
     v322 = v7;
   } else {
     v315 = Math.abs(v313);
-    v322 = ((-Math.expm1(((-v315) * v7))) / (v314 ? 1.0 : v315));
+    v322 = ((-Math.expm1(((-v315) * v7))) / (math.truth(v314) ? 1.0 : v315));
   }
   v337 = ((v311 * (12.0 - half)) / 13.0);
   v339 = (m - 26.0);
@@ -2489,7 +2490,7 @@ const _tail = (rest, near, m, half, far) => {
     v348 = v7;
   } else {
     v341 = Math.abs(v339);
-    v348 = ((-Math.expm1(((-v341) * v7))) / (v340 ? 1.0 : v341));
+    v348 = ((-Math.expm1(((-v341) * v7))) / (math.truth(v340) ? 1.0 : v341));
   }
   v362 = ((v337 * (13.0 - half)) / 14.0);
   v364 = (m - 28.0);
@@ -2498,7 +2499,7 @@ const _tail = (rest, near, m, half, far) => {
     v373 = v7;
   } else {
     v366 = Math.abs(v364);
-    v373 = ((-Math.expm1(((-v366) * v7))) / (v365 ? 1.0 : v366));
+    v373 = ((-Math.expm1(((-v366) * v7))) / (math.truth(v365) ? 1.0 : v366));
   }
   v388 = ((v362 * (14.0 - half)) / 15.0);
   v390 = (m - 30.0);
@@ -2507,7 +2508,7 @@ const _tail = (rest, near, m, half, far) => {
     v399 = v7;
   } else {
     v392 = Math.abs(v390);
-    v399 = ((-Math.expm1(((-v392) * v7))) / (v391 ? 1.0 : v392));
+    v399 = ((-Math.expm1(((-v392) * v7))) / (math.truth(v391) ? 1.0 : v392));
   }
   v413 = ((v388 * (15.0 - half)) / 16.0);
   v415 = (m - 32.0);
@@ -2516,7 +2517,7 @@ const _tail = (rest, near, m, half, far) => {
     v424 = v7;
   } else {
     v417 = Math.abs(v415);
-    v424 = ((-Math.expm1(((-v417) * v7))) / (v416 ? 1.0 : v417));
+    v424 = ((-Math.expm1(((-v417) * v7))) / (math.truth(v416) ? 1.0 : v417));
   }
   v439 = ((v413 * (16.0 - half)) / 17.0);
   v441 = (m - 34.0);
@@ -2525,7 +2526,7 @@ const _tail = (rest, near, m, half, far) => {
     v450 = v7;
   } else {
     v443 = Math.abs(v441);
-    v450 = ((-Math.expm1(((-v443) * v7))) / (v442 ? 1.0 : v443));
+    v450 = ((-Math.expm1(((-v443) * v7))) / (math.truth(v442) ? 1.0 : v443));
   }
   v464 = ((v439 * (17.0 - half)) / 18.0);
   v466 = (m - 36.0);
@@ -2534,7 +2535,7 @@ const _tail = (rest, near, m, half, far) => {
     v475 = v7;
   } else {
     v468 = Math.abs(v466);
-    v475 = ((-Math.expm1(((-v468) * v7))) / (v467 ? 1.0 : v468));
+    v475 = ((-Math.expm1(((-v468) * v7))) / (math.truth(v467) ? 1.0 : v468));
   }
   v490 = ((v464 * (18.0 - half)) / 19.0);
   v492 = (m - 38.0);
@@ -2543,7 +2544,7 @@ const _tail = (rest, near, m, half, far) => {
     v501 = v7;
   } else {
     v494 = Math.abs(v492);
-    v501 = ((-Math.expm1(((-v494) * v7))) / (v493 ? 1.0 : v494));
+    v501 = ((-Math.expm1(((-v494) * v7))) / (math.truth(v493) ? 1.0 : v494));
   }
   v512 = ((((((((((((((((((((0.0 + (v19 * ((v10 > 0.0) ? Math.exp(((-0.0) * v21)) : (Math.exp(((-0.0) * near)) * far)))) + ((v31 * v42) * ((v33 > 0.0) ? Math.exp(((-2.0) * v21)) : (Math.exp(((-2.0) * near)) * far)))) + ((v56 * v67) * ((v58 > 0.0) ? Math.exp(((-4.0) * v21)) : (Math.exp(((-4.0) * near)) * far)))) + ((v82 * v93) * ((v84 > 0.0) ? Math.exp(((-6.0) * v21)) : (Math.exp(((-6.0) * near)) * far)))) + ((v107 * v118) * ((v109 > 0.0) ? Math.exp(((-8.0) * v21)) : (Math.exp(((-8.0) * near)) * far)))) + ((v133 * v144) * ((v135 > 0.0) ? Math.exp(((-10.0) * v21)) : (Math.exp(((-10.0) * near)) * far)))) + ((v158 * v169) * ((v160 > 0.0) ? Math.exp(((-12.0) * v21)) : (Math.exp(((-12.0) * near)) * far)))) + ((v184 * v195) * ((v186 > 0.0) ? Math.exp(((-14.0) * v21)) : (Math.exp(((-14.0) * near)) * far)))) + ((v209 * v220) * ((v211 > 0.0) ? Math.exp(((-16.0) * v21)) : (Math.exp(((-16.0) * near)) * far)))) + ((v235 * v246) * ((v237 > 0.0) ? Math.exp(((-18.0) * v21)) : (Math.exp(((-18.0) * near)) * far)))) + ((v260 * v271) * ((v262 > 0.0) ? Math.exp(((-20.0) * v21)) : (Math.exp(((-20.0) * near)) * far)))) + ((v286 * v297) * ((v288 > 0.0) ? Math.exp(((-22.0) * v21)) : (Math.exp(((-22.0) * near)) * far)))) + ((v311 * v322) * ((v313 > 0.0) ? Math.exp(((-24.0) * v21)) : (Math.exp(((-24.0) * near)) * far)))) + ((v337 * v348) * ((v339 > 0.0) ? Math.exp(((-26.0) * v21)) : (Math.exp(((-26.0) * near)) * far)))) + ((v362 * v373) * ((v364 > 0.0) ? Math.exp(((-28.0) * v21)) : (Math.exp(((-28.0) * near)) * far)))) + ((v388 * v399) * ((v390 > 0.0) ? Math.exp(((-30.0) * v21)) : (Math.exp(((-30.0) * near)) * far)))) + ((v413 * v424) * ((v415 > 0.0) ? Math.exp(((-32.0) * v21)) : (Math.exp(((-32.0) * near)) * far)))) + ((v439 * v450) * ((v441 > 0.0) ? Math.exp(((-34.0) * v21)) : (Math.exp(((-34.0) * near)) * far)))) + ((v464 * v475) * ((v466 > 0.0) ? Math.exp(((-36.0) * v21)) : (Math.exp(((-36.0) * near)) * far)))) + ((v490 * v501) * ((v492 > 0.0) ? Math.exp(((-38.0) * v21)) : (Math.exp(((-38.0) * near)) * far))));
   v515 = ((v490 * (19.0 - half)) / 20.0);
@@ -2553,7 +2554,7 @@ const _tail = (rest, near, m, half, far) => {
     v526 = v7;
   } else {
     v519 = Math.abs(v517);
-    v526 = ((-Math.expm1(((-v519) * v7))) / (v518 ? 1.0 : v519));
+    v526 = ((-Math.expm1(((-v519) * v7))) / (math.truth(v518) ? 1.0 : v519));
   }
   v543 = (m - 42.0);
   v544 = (v543 === 0.0);
@@ -2561,7 +2562,7 @@ const _tail = (rest, near, m, half, far) => {
     v552 = v7;
   } else {
     v545 = Math.abs(v543);
-    v552 = ((-Math.expm1(((-v545) * v7))) / (v544 ? 1.0 : v545));
+    v552 = ((-Math.expm1(((-v545) * v7))) / (math.truth(v544) ? 1.0 : v545));
   }
   return ((v512 + ((v515 * v526) * ((v517 > 0.0) ? Math.exp(((-40.0) * v21)) : (Math.exp(((-40.0) * near)) * far)))) + ((((v515 * (20.0 - half)) / 21.0) * v552) * ((v543 > 0.0) ? Math.exp(((-42.0) * v21)) : (Math.exp(((-42.0) * near)) * far))));
 };
@@ -2599,7 +2600,7 @@ const _pressure_2 = (r, d, a, h, n, H, k) => {
   complete = ((_minimum_depth_2(a, h, n, k) * (1.0 - 1e-15)) <= d);
   edge = ((d + (h * power_factor(n, k))) * punch_pressure(r, a, H, k));
   hollow = ((((H / Math.PI) * h) * power_pressure_of_pressure(math.minimum(r, a), a, n, k)) / Math.pow(a, n));
-  return (complete ? ((r < a) ? (edge - hollow) : edge) : NaN);
+  return (math.truth(complete) ? ((r < a) ? (edge - hollow) : edge) : NaN);
 };
 
 const pressure_of_concave_power = (r, d, a, h, n, H, k) => {
@@ -2651,7 +2652,7 @@ const from_edge = (shape, a, q, c, stop, k, steep = false) => {
     sinh = Math.sinh((half + v));
     return (smooth((half + v), sinh) * Math.pow(sinh, k));
   };
-  longest = (steep ? Infinity : Number(math.maximum((Number.isFinite(stop) ? stop : 0.0))));
+  longest = (math.truth(steep) ? Infinity : Number(math.maximum((Number.isFinite(stop) ? stop : 0.0))));
   for ([length, count] of EDGE) {
     if ((longest <= length)) {
       return ((raised(ratio, k) * raised(stop, k)) * weighted(first, stop, k, count));
@@ -2678,7 +2679,7 @@ const sine_over = (y) => {
   let v2;
   v2 = (y > 0.0);
   if (v2) {
-    return (Math.sin(y) / (v2 ? y : 1.0));
+    return (Math.sin(y) / (math.truth(v2) ? y : 1.0));
   }
   return 1.0;
 };
@@ -2713,7 +2714,7 @@ const either = (condition, x, y) => {
   if (Boolean(condition)) {
     return x();
   }
-  return (Boolean(condition) ? (condition ? x() : y()) : y());
+  return (Boolean(condition) ? (math.truth(condition) ? x() : y()) : y());
 };
 
 const _displacement_2 = (r, d, a, h, n, k) => {
@@ -2723,7 +2724,7 @@ const _displacement_2 = (r, d, a, h, n, k) => {
     return ((d * punch_share(r, a, k)) + ((h * power_sag(r, a, n, k)) / Math.pow(a, n)));
   };
   value = either((r > a), outside, (() => (d - _profile(r, a, h, n))));
-  return (complete ? value : NaN);
+  return (math.truth(complete) ? value : NaN);
 };
 
 const displacement_of_concave_power = (r, d, a, h, n, k) => {
@@ -2764,7 +2765,7 @@ const _minimum_force_2 = (a, h, n, H, k) => {
 const _depth_from_force_2 = (F, a, h, n, H, k) => {
   let complete;
   complete = ((_minimum_force_2(a, h, n, H, k) * (1.0 - 1e-15)) <= F);
-  return (complete ? ((F / punch_stiffness(a, H, k)) - (((h * power_factor(n, k)) * (1.0 + k)) / ((n + 1.0) + k))) : NaN);
+  return (math.truth(complete) ? ((F / punch_stiffness(a, H, k)) - (((h * power_factor(n, k)) * (1.0 + k)) / ((n + 1.0) + k))) : NaN);
 };
 
 const depth_from_force_of_concave_power = (F, a, h, n, H, k) => {
@@ -2788,7 +2789,7 @@ const _zero_radius_2 = (a, h, n, k) => {
   if (((a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (n > 1e-30) && (n < 1e+30) && (k > 1e-30) && (k < 1.0))) {
     v5 = (n > 2.0);
     if (v5) {
-      v7 = (v5 ? n : 3.0);
+      v7 = (math.truth(v5) ? n : 3.0);
       v8 = (v7 - 2.0);
       v10 = (1.0 - k);
       v16 = (1.0 + k);
@@ -3010,7 +3011,7 @@ const _step_force_maxwell = (t, d, a, h, n, E, tau) => {
     v75 = ((((v14 < 1.0) ? ((v14 * (v14 + 1.0)) / v20) : (1.0 - ((v14 + 0.75) / v20))) * Math.sqrt(v16)) * (1.0 + (v34 * (((((((((((((0.01524698625788054 * v34) + 0.5334320651111477) * v34) + 2.250488865813539) * v34) + 2.8612106440066865) * v34) + 1.3794681629043655) * v34) + 0.2596058532893223) * v34) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v34) + 49.328555418276075) * v34) + 167.28648538571198) * v34) + 195.37226190335065) * v34) + 90.69722535867314) * v34) + 16.763212110504565) * v34) + 1.0)))));
     v76 = (n > 2.0);
     if (v76) {
-      v78 = (v76 ? n : 3.0);
+      v78 = (math.truth(v76) ? n : 3.0);
       v79 = (v78 - 2.0);
       v88 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v79) / (v79 + 0.72))) / v79));
       if ((v79 < 2.0)) {
@@ -3165,7 +3166,7 @@ const _step_force_kelvin_voigt = (t, d, a, h, n, E, eta) => {
     v75 = ((((v14 < 1.0) ? ((v14 * (v14 + 1.0)) / v20) : (1.0 - ((v14 + 0.75) / v20))) * Math.sqrt(v16)) * (1.0 + (v34 * (((((((((((((0.01524698625788054 * v34) + 0.5334320651111477) * v34) + 2.250488865813539) * v34) + 2.8612106440066865) * v34) + 1.3794681629043655) * v34) + 0.2596058532893223) * v34) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v34) + 49.328555418276075) * v34) + 167.28648538571198) * v34) + 195.37226190335065) * v34) + 90.69722535867314) * v34) + 16.763212110504565) * v34) + 1.0)))));
     v76 = (n > 2.0);
     if (v76) {
-      v78 = (v76 ? n : 3.0);
+      v78 = (math.truth(v76) ? n : 3.0);
       v79 = (v78 - 2.0);
       v88 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v79) / (v79 + 0.72))) / v79));
       if ((v79 < 2.0)) {
@@ -3317,7 +3318,7 @@ const _step_force_standard_solid = (t, d, a, h, n, E_inf, E_1, tau) => {
     v77 = ((((v16 < 1.0) ? ((v16 * (v16 + 1.0)) / v22) : (1.0 - ((v16 + 0.75) / v22))) * Math.sqrt(v18)) * (1.0 + (v36 * (((((((((((((0.01524698625788054 * v36) + 0.5334320651111477) * v36) + 2.250488865813539) * v36) + 2.8612106440066865) * v36) + 1.3794681629043655) * v36) + 0.2596058532893223) * v36) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v36) + 49.328555418276075) * v36) + 167.28648538571198) * v36) + 195.37226190335065) * v36) + 90.69722535867314) * v36) + 16.763212110504565) * v36) + 1.0)))));
     v78 = (n > 2.0);
     if (v78) {
-      v80 = (v78 ? n : 3.0);
+      v80 = (math.truth(v78) ? n : 3.0);
       v81 = (v80 - 2.0);
       v90 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v81) / (v81 + 0.72))) / v81));
       if ((v81 < 2.0)) {
@@ -3472,7 +3473,7 @@ const _step_force_power_creep = (t, d, a, h, n, E, alpha, t_0) => {
     v80 = ((((v19 < 1.0) ? ((v19 * (v19 + 1.0)) / v25) : (1.0 - ((v19 + 0.75) / v25))) * Math.sqrt(v21)) * (1.0 + (v39 * (((((((((((((0.01524698625788054 * v39) + 0.5334320651111477) * v39) + 2.250488865813539) * v39) + 2.8612106440066865) * v39) + 1.3794681629043655) * v39) + 0.2596058532893223) * v39) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v39) + 49.328555418276075) * v39) + 167.28648538571198) * v39) + 195.37226190335065) * v39) + 90.69722535867314) * v39) + 16.763212110504565) * v39) + 1.0)))));
     v81 = (n > 2.0);
     if (v81) {
-      v83 = (v81 ? n : 3.0);
+      v83 = (math.truth(v81) ? n : 3.0);
       v84 = (v83 - 2.0);
       v93 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v84) / (v84 + 0.72))) / v84));
       if ((v84 < 2.0)) {

@@ -13,7 +13,7 @@ const math = {
   logical_not: (x) => !x,
   where: (condition, x, y) => (condition ? x : y),
   minimum: (x, y) => (x < y || x !== x ? x : y),
-  maximum: (x, y) => (x > y || x !== x ? x : y),
+  maximum: (x, y = x) => (x > y || x !== x ? x : y),
   clip: (x, low, high) => Math.min(Math.max(x, low), high),
   sqrt: Math.sqrt,
   log: (x) => Math.log(x),
@@ -25,6 +25,7 @@ const math = {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
     return Array.from({ length: Math.max(Math.ceil((stop - start) / step), 0) }, (_, count) => start + step * count);
   },
+  truth: (x) => (Array.isArray(x) ? x.length > 0 : Boolean(x)),
   zip: (x, y) => x.slice(0, y.length).map((value, place) => [value, y[place]]),
   // named fields that are told by their places too
   record: (fields) => Object.assign(Object.values(fields), fields),
@@ -660,7 +661,7 @@ const power_factor = math.kept((n, k) => {
 const _force_2 = (d, a, h, H, k) => {
   let complete;
   complete = ((_minimum_depth_2(a, h, k) * (1.0 - 1e-15)) <= d);
-  return (complete ? (punch_stiffness(a, H, k) * (d + (((h * power_factor(4.0, k)) * (1.0 + k)) / ((4.0 + 1.0) + k)))) : NaN);
+  return (math.truth(complete) ? (punch_stiffness(a, H, k) * (d + (((h * power_factor(4.0, k)) * (1.0 + k)) / ((4.0 + 1.0) + k)))) : NaN);
 };
 
 const force_of_concave_quartic = (d, a, h, H, k) => {
@@ -778,7 +779,7 @@ const from_edge = (shape, a, q, c, stop, k, steep = false) => {
     sinh = Math.sinh((half + v));
     return (smooth((half + v), sinh) * Math.pow(sinh, k));
   };
-  longest = (steep ? Infinity : Number(math.maximum((Number.isFinite(stop) ? stop : 0.0))));
+  longest = (math.truth(steep) ? Infinity : Number(math.maximum((Number.isFinite(stop) ? stop : 0.0))));
   for ([length, count] of EDGE) {
     if ((longest <= length)) {
       return ((raised(ratio, k) * raised(stop, k)) * weighted(first, stop, k, count));
@@ -805,7 +806,7 @@ const sine_over = (y) => {
   let v2;
   v2 = (y > 0.0);
   if (v2) {
-    return (Math.sin(y) / (v2 ? y : 1.0));
+    return (Math.sin(y) / (math.truth(v2) ? y : 1.0));
   }
   return 1.0;
 };
@@ -840,7 +841,7 @@ const either = (condition, x, y) => {
   if (Boolean(condition)) {
     return x();
   }
-  return (Boolean(condition) ? (condition ? x() : y()) : y());
+  return (Boolean(condition) ? (math.truth(condition) ? x() : y()) : y());
 };
 
 const _displacement_2 = (r, d, a, h, k) => {
@@ -850,7 +851,7 @@ const _displacement_2 = (r, d, a, h, k) => {
     return ((d * punch_share(r, a, k)) + ((h * power_sag(r, a, 4.0, k)) / Math.pow(a, 4.0)));
   };
   value = either((r > a), outside, (() => (d - _profile(r, a, h))));
-  return (complete ? value : NaN);
+  return (math.truth(complete) ? value : NaN);
 };
 
 const displacement_of_concave_quartic = (r, d, a, h, k) => {
@@ -885,7 +886,7 @@ const _minimum_force_2 = (a, h, H, k) => {
 const _depth_from_force_2 = (F, a, h, H, k) => {
   let complete;
   complete = ((_minimum_force_2(a, h, H, k) * (1.0 - 1e-15)) <= F);
-  return (complete ? ((F / punch_stiffness(a, H, k)) - (((h * power_factor(4.0, k)) * (1.0 + k)) / ((4.0 + 1.0) + k))) : NaN);
+  return (math.truth(complete) ? ((F / punch_stiffness(a, H, k)) - (((h * power_factor(4.0, k)) * (1.0 + k)) / ((4.0 + 1.0) + k))) : NaN);
 };
 
 const depth_from_force_of_concave_quartic = (F, a, h, H, k) => {

@@ -13,7 +13,7 @@ const math = {
   logical_not: (x) => !x,
   where: (condition, x, y) => (condition ? x : y),
   minimum: (x, y) => (x < y || x !== x ? x : y),
-  maximum: (x, y) => (x > y || x !== x ? x : y),
+  maximum: (x, y = x) => (x > y || x !== x ? x : y),
   clip: (x, low, high) => Math.min(Math.max(x, low), high),
   sqrt: Math.sqrt,
   log: (x) => Math.log(x),
@@ -25,6 +25,7 @@ const math = {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
     return Array.from({ length: Math.max(Math.ceil((stop - start) / step), 0) }, (_, count) => start + step * count);
   },
+  truth: (x) => (Array.isArray(x) ? x.length > 0 : Boolean(x)),
   zip: (x, y) => x.slice(0, y.length).map((value, place) => [value, y[place]]),
   // named fields that are told by their places too
   record: (fields) => Object.assign(Object.values(fields), fields),
@@ -543,7 +544,7 @@ const from_edge = (shape, a, q, c, stop, k, steep = false) => {
     sinh = Math.sinh((half + v));
     return (smooth((half + v), sinh) * Math.pow(sinh, k));
   };
-  longest = (steep ? Infinity : Number(math.maximum((Number.isFinite(stop) ? stop : 0.0))));
+  longest = (math.truth(steep) ? Infinity : Number(math.maximum((Number.isFinite(stop) ? stop : 0.0))));
   for ([length, count] of EDGE) {
     if ((longest <= length)) {
       return ((raised(ratio, k) * raised(stop, k)) * weighted(first, stop, k, count));
@@ -644,7 +645,7 @@ const _pull_off_force_2 = (a, H, k, dgamma) => {
   let v10;
   if (((a > 1e-30) && (a < 1e+30) && (H > 1e-30) && (H < 1e+30) && (k > 1e-30) && (k < 1.0) && (dgamma > 1e-30) && (dgamma < 1e+30))) {
     v10 = (a > 0.0);
-    return ((-(((2.0 * H) / (1.0 + k)) * (v10 ? (a * Math.pow(a, k)) : 0.0))) * (v10 ? ((Math.sqrt(((6.283185307179586 * dgamma) / H)) * Math.sqrt(a)) * Math.sqrt(Math.pow(a, (-k)))) : 0.0));
+    return ((-(((2.0 * H) / (1.0 + k)) * (math.truth(v10) ? (a * Math.pow(a, k)) : 0.0))) * (math.truth(v10) ? ((Math.sqrt(((6.283185307179586 * dgamma) / H)) * Math.sqrt(a)) * Math.sqrt(Math.pow(a, (-k)))) : 0.0));
   }
   return _pull_off_force_3(a, H, k, dgamma);
 };
@@ -943,11 +944,11 @@ const _displacement_3 = (r, z, a, beta) => {
       v25 = v16;
     } else {
       v18 = (v16 > 0.0);
-      v25 = (v18 ? ((z * a) / (v18 ? v16 : 1.0)) : 0.0);
+      v25 = (math.truth(v18) ? ((z * a) / (math.truth(v18) ? v16 : 1.0)) : 0.0);
     }
     v27 = (v25 > a);
     if (v27) {
-      v29 = (a / (v27 ? v25 : a));
+      v29 = (a / (math.truth(v27) ? v25 : a));
       v30 = (v29 * v29);
       if ((v29 < 1.0)) {
         v36 = (v29 * v29);
@@ -957,7 +958,7 @@ const _displacement_3 = (r, z, a, beta) => {
       }
       v94 = (((v30 * v29) / (1.0 + v30)) - v79);
     } else {
-      v82 = ((v27 ? 0.0 : v25) / a);
+      v82 = ((math.truth(v27) ? 0.0 : v25) / a);
       v94 = ((1.5707963267948966 - Math.atan(v82)) - (v82 / (1.0 + (v82 * v82))));
     }
     return (beta * (((2.0 * r) / 3.141592653589793) * v94));
@@ -991,10 +992,10 @@ const _stress_tz = (r, z, a, G, beta) => {
     v13 = ((v6 * v8) + (z * z));
     v18 = Math.sqrt((0.5 * (v10 + Math.abs(v13))));
     v20 = (v18 > 0.0);
-    v25 = (v20 ? ((z * a) / (v20 ? v18 : 1.0)) : 0.0);
+    v25 = (math.truth(v20) ? ((z * a) / (math.truth(v20) ? v18 : 1.0)) : 0.0);
     v26 = (v13 > 0.0);
-    v27 = (v26 ? v18 : v25);
-    return ((G * beta) * (((-1.2732395447351628) * ((r * a) / v10)) * (((v26 ? v25 : v18) * a) / ((a * a) + (v27 * v27)))));
+    v27 = (math.truth(v26) ? v18 : v25);
+    return ((G * beta) * (((-1.2732395447351628) * ((r * a) / v10)) * (((math.truth(v26) ? v25 : v18) * a) / ((a * a) + (v27 * v27)))));
   }
   return _stress_tz_of_flat_punch(r, z, a, G, beta);
 };
@@ -1021,7 +1022,7 @@ const _stress_rt = (r, z, a, G, beta) => {
       v27 = v18;
     } else {
       v20 = (v18 > 0.0);
-      v27 = (v20 ? ((z * a) / (v20 ? v18 : 1.0)) : 0.0);
+      v27 = (math.truth(v20) ? ((z * a) / (math.truth(v20) ? v18 : 1.0)) : 0.0);
     }
     v37 = ((r * a) / ((a * a) + (v27 * v27)));
     return ((G * beta) * (((-1.2732395447351628) * ((v27 * a) / v10)) * (v37 * v37)));

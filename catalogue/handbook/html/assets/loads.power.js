@@ -13,7 +13,7 @@ const math = {
   logical_not: (x) => !x,
   where: (condition, x, y) => (condition ? x : y),
   minimum: (x, y) => (x < y || x !== x ? x : y),
-  maximum: (x, y) => (x > y || x !== x ? x : y),
+  maximum: (x, y = x) => (x > y || x !== x ? x : y),
   clip: (x, low, high) => Math.min(Math.max(x, low), high),
   sqrt: Math.sqrt,
   log: (x) => Math.log(x),
@@ -25,6 +25,7 @@ const math = {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
     return Array.from({ length: Math.max(Math.ceil((stop - start) / step), 0) }, (_, count) => start + step * count);
   },
+  truth: (x) => (Array.isArray(x) ? x.length > 0 : Boolean(x)),
   zip: (x, y) => x.slice(0, y.length).map((value, place) => [value, y[place]]),
   // named fields that are told by their places too
   record: (fields) => Object.assign(Object.values(fields), fields),
@@ -306,7 +307,7 @@ const either = (condition, x, y) => {
   if (Boolean(condition)) {
     return x();
   }
-  return (Boolean(condition) ? (condition ? x() : y()) : y());
+  return (Boolean(condition) ? (math.truth(condition) ? x() : y()) : y());
 };
 
 const power = (r, a, s) => {
@@ -316,7 +317,7 @@ const power = (r, a, s) => {
   [_, kc] = _far(r, a);
   strength = (1.0 / gamma_ratio((s + 1.0)));
   [within, beyond] = [(r < a), (r > a)];
-  sides = either(within, (() => _inside((within ? (r / a) : 0.5), (within ? kc : 1.0), (s + 0.5))), (() => (beyond ? _outside((beyond ? kc : 1.0), (s + 1.0)) : ((Math.sqrt(Math.PI) / 2.0) * strength))));
+  sides = either(within, (() => _inside((math.truth(within) ? (r / a) : 0.5), (math.truth(within) ? kc : 1.0), (s + 0.5))), (() => (math.truth(beyond) ? _outside((math.truth(beyond) ? kc : 1.0), (s + 1.0)) : ((Math.sqrt(Math.PI) / 2.0) * strength))));
   return (fallen * (((2.0 / Math.sqrt(Math.PI)) * strength) * sides));
 };
 

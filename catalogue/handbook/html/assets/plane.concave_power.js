@@ -13,7 +13,7 @@ const math = {
   logical_not: (x) => !x,
   where: (condition, x, y) => (condition ? x : y),
   minimum: (x, y) => (x < y || x !== x ? x : y),
-  maximum: (x, y) => (x > y || x !== x ? x : y),
+  maximum: (x, y = x) => (x > y || x !== x ? x : y),
   clip: (x, low, high) => Math.min(Math.max(x, low), high),
   sqrt: Math.sqrt,
   log: (x) => Math.log(x),
@@ -25,6 +25,7 @@ const math = {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
     return Array.from({ length: Math.max(Math.ceil((stop - start) / step), 0) }, (_, count) => start + step * count);
   },
+  truth: (x) => (Array.isArray(x) ? x.length > 0 : Boolean(x)),
   zip: (x, y) => x.slice(0, y.length).map((value, place) => [value, y[place]]),
   // named fields that are told by their places too
   record: (fields) => Object.assign(Object.values(fields), fields),
@@ -265,7 +266,7 @@ const _fallen_pressure = (depth, n) => {
     v10 = (depth - (42.0 / (((v5 > 0.001) || (v5 !== v5)) ? v5 : 0.001)));
     v12 = (((v10 > 0.0) || (v10 !== v10)) ? v10 : 0.0);
     v13 = math.sqrt(depth);
-    v18 = (v3 ? (v13 - math.sqrt(v12)) : math.sqrt((depth - v12)));
+    v18 = (math.truth(v3) ? (v13 - math.sqrt(v12)) : math.sqrt((depth - v12)));
     v22 = (2.0 * v13);
     v27 = (-v5);
     v42 = [];
@@ -277,7 +278,7 @@ const _fallen_pressure = (depth, n) => {
       } else {
         v32 = v20;
       }
-      v41 = (Math.exp((v27 * (v3 ? (v20 * (v22 - v20)) : (v20 * v20)))) * ((2.0 * v32) / math.sqrt((-Math.expm1((((-2.0) * v32) * v32))))));
+      v41 = (Math.exp((v27 * (math.truth(v3) ? (v20 * (v22 - v20)) : (v20 * v20)))) * ((2.0 * v32) / math.sqrt((-Math.expm1((((-2.0) * v32) * v32))))));
       v42.push((weight * v41));
     }
     v42 = (math.fsum(v42) * v18);
@@ -380,7 +381,7 @@ const _pressure = (x, P, a, h, n, E_star) => {
     v164 = (1.0 / (v149 * v149));
     v193 = (n > 2.0);
     if (v193) {
-      v195 = (v193 ? n : 3.0);
+      v195 = (math.truth(v193) ? n : 3.0);
       v196 = (v195 - 2.0);
       v205 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v196) / (v196 + 0.72))) / v196));
       if ((v196 < 2.0)) {
@@ -518,7 +519,7 @@ const _pressure = (x, P, a, h, n, E_star) => {
             v105 = (v100 - (42.0 / (((v83 > 0.001) || (v83 !== v83)) ? v83 : 0.001)));
             v106 = (((v105 > 0.0) || (v105 !== v105)) ? v105 : 0.0);
             v107 = Math.sqrt(v100);
-            v112 = (v81 ? (v107 - Math.sqrt(v106)) : Math.sqrt((v100 - v106)));
+            v112 = (math.truth(v81) ? (v107 - Math.sqrt(v106)) : Math.sqrt((v100 - v106)));
             v115 = (2.0 * v107);
             v120 = (-v83);
             v135 = [];
@@ -530,7 +531,7 @@ const _pressure = (x, P, a, h, n, E_star) => {
               } else {
                 v125 = v114;
               }
-              v134 = (Math.exp((v120 * (v81 ? (v114 * (v115 - v114)) : (v114 * v114)))) * ((2.0 * v125) / Math.sqrt((-Math.expm1((((-2.0) * v125) * v125))))));
+              v134 = (Math.exp((v120 * (math.truth(v81) ? (v114 * (v115 - v114)) : (v114 * v114)))) * ((2.0 * v125) / Math.sqrt((-Math.expm1((((-2.0) * v125) * v125))))));
               v135.push((weight * v134));
             }
             v135 = (math.fsum(v135) * v112);
@@ -538,9 +539,9 @@ const _pressure = (x, P, a, h, n, E_star) => {
           } else {
             v136 = 0.0;
           }
-          v138 = ((v81 ? 1.0 : (Math.pow((x / a), n) * (a / x))) * v136);
+          v138 = ((math.truth(v81) ? 1.0 : (Math.pow((x / a), n) * (a / x))) * v136);
         } else {
-          v138 = (v81 ? (1.0 / v83) : Infinity);
+          v138 = (math.truth(v81) ? (1.0 / v83) : Infinity);
         }
         return ((P / (3.141592653589793 * v9)) + ((((E_star * n) * h) * ((1.0 / v9) - ((n * v138) / a))) / (3.5449077018110318 * ((((v16 < 1.0) ? ((v16 * (v16 + 1.0)) / v23) : (1.0 - ((v16 + 0.75) / v23))) * Math.sqrt(v18)) * (1.0 + (v36 * (((((((((((((0.01524698625788054 * v36) + 0.5334320651111477) * v36) + 2.250488865813539) * v36) + 2.8612106440066865) * v36) + 1.3794681629043655) * v36) + 0.2596058532893223) * v36) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v36) + 49.328555418276075) * v36) + 167.28648538571198) * v36) + 195.37226190335065) * v36) + 90.69722535867314) * v36) + 16.763212110504565) * v36) + 1.0))))))));
       }
@@ -618,7 +619,7 @@ const _slope = (x, P, a, h, n, E_star) => {
     v152 = (1.0 / (v137 * v137));
     v181 = (n > 2.0);
     if (v181) {
-      v183 = (v181 ? n : 3.0);
+      v183 = (math.truth(v181) ? n : 3.0);
       v184 = (v183 - 2.0);
       v193 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v184) / (v184 + 0.72))) / v184));
       if ((v184 < 2.0)) {
@@ -809,7 +810,7 @@ const _depth = (L, P, a, h, n, E_star) => {
     v151 = (1.0 / (v136 * v136));
     v180 = (n > 2.0);
     if (v180) {
-      v182 = (v180 ? n : 3.0);
+      v182 = (math.truth(v180) ? n : 3.0);
       v183 = (v182 - 2.0);
       v192 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v183) / (v183 + 0.72))) / v183));
       if ((v183 < 2.0)) {
@@ -988,7 +989,7 @@ const _zero_distance = (a, n, h = 1.0) => {
   if (((a > 1e-30) && (a < 1e+30) && (n > 1e-30) && (n < 1e+30) && (h > 1e-30) && (h < 1e+30))) {
     v3 = (n > 2.0);
     if (v3) {
-      v5 = (v3 ? n : 3.0);
+      v5 = (math.truth(v3) ? n : 3.0);
       v6 = (v5 - 2.0);
       v15 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v6) / (v6 + 0.72))) / v6));
       if ((v6 < 2.0)) {
@@ -1130,7 +1131,7 @@ const _minimum_load_of_concave_power = (h, n, E_star, a = 1.0) => {
     v26 = (1.0 / (v8 * v8));
     v68 = (n > 2.0);
     if (v68) {
-      v70 = (v68 ? n : 3.0);
+      v70 = (math.truth(v68) ? n : 3.0);
       v71 = (v70 - 2.0);
       v80 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v71) / (v71 + 0.72))) / v71));
       if ((v71 < 2.0)) {

@@ -13,7 +13,7 @@ const math = {
   logical_not: (x) => !x,
   where: (condition, x, y) => (condition ? x : y),
   minimum: (x, y) => (x < y || x !== x ? x : y),
-  maximum: (x, y) => (x > y || x !== x ? x : y),
+  maximum: (x, y = x) => (x > y || x !== x ? x : y),
   clip: (x, low, high) => Math.min(Math.max(x, low), high),
   sqrt: Math.sqrt,
   log: (x) => Math.log(x),
@@ -25,6 +25,7 @@ const math = {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
     return Array.from({ length: Math.max(Math.ceil((stop - start) / step), 0) }, (_, count) => start + step * count);
   },
+  truth: (x) => (Array.isArray(x) ? x.length > 0 : Boolean(x)),
   zip: (x, y) => x.slice(0, y.length).map((value, place) => [value, y[place]]),
   // named fields that are told by their places too
   record: (fields) => Object.assign(Object.values(fields), fields),
@@ -292,7 +293,7 @@ const _fallen_pressure = (depth, n) => {
     v10 = (depth - (42.0 / (((v5 > 0.001) || (v5 !== v5)) ? v5 : 0.001)));
     v12 = (((v10 > 0.0) || (v10 !== v10)) ? v10 : 0.0);
     v13 = math.sqrt(depth);
-    v18 = (v3 ? (v13 - math.sqrt(v12)) : math.sqrt((depth - v12)));
+    v18 = (math.truth(v3) ? (v13 - math.sqrt(v12)) : math.sqrt((depth - v12)));
     v22 = (2.0 * v13);
     v27 = (-v5);
     v42 = [];
@@ -304,7 +305,7 @@ const _fallen_pressure = (depth, n) => {
       } else {
         v32 = v20;
       }
-      v41 = (Math.exp((v27 * (v3 ? (v20 * (v22 - v20)) : (v20 * v20)))) * ((2.0 * v32) / math.sqrt((-Math.expm1((((-2.0) * v32) * v32))))));
+      v41 = (Math.exp((v27 * (math.truth(v3) ? (v20 * (v22 - v20)) : (v20 * v20)))) * ((2.0 * v32) / math.sqrt((-Math.expm1((((-2.0) * v32) * v32))))));
       v42.push((weight * v41));
     }
     v42 = (math.fsum(v42) * v18);
@@ -345,7 +346,7 @@ const _pressure = (x, a, A, n, E_star) => {
           v104 = (v99 - (42.0 / (((v82 > 0.001) || (v82 !== v82)) ? v82 : 0.001)));
           v105 = (((v104 > 0.0) || (v104 !== v104)) ? v104 : 0.0);
           v106 = Math.sqrt(v99);
-          v111 = (v81 ? (v106 - Math.sqrt(v105)) : Math.sqrt((v99 - v105)));
+          v111 = (math.truth(v81) ? (v106 - Math.sqrt(v105)) : Math.sqrt((v99 - v105)));
           v114 = (2.0 * v106);
           v119 = (-v82);
           v134 = [];
@@ -357,7 +358,7 @@ const _pressure = (x, a, A, n, E_star) => {
             } else {
               v124 = v113;
             }
-            v133 = (Math.exp((v119 * (v81 ? (v113 * (v114 - v113)) : (v113 * v113)))) * ((2.0 * v124) / Math.sqrt((-Math.expm1((((-2.0) * v124) * v124))))));
+            v133 = (Math.exp((v119 * (math.truth(v81) ? (v113 * (v114 - v113)) : (v113 * v113)))) * ((2.0 * v124) / Math.sqrt((-Math.expm1((((-2.0) * v124) * v124))))));
             v134.push((weight * v133));
           }
           v134 = (math.fsum(v134) * v111);
@@ -365,9 +366,9 @@ const _pressure = (x, a, A, n, E_star) => {
         } else {
           v135 = 0.0;
         }
-        v137 = ((v81 ? 1.0 : (Math.pow((x / a), n) * (a / x))) * v135);
+        v137 = ((math.truth(v81) ? 1.0 : (Math.pow((x / a), n) * (a / x))) * v135);
       } else {
-        v137 = (v81 ? (1.0 / v82) : Infinity);
+        v137 = (math.truth(v81) ? (1.0 / v82) : Infinity);
       }
       return (((((E_star * (n * n)) * A) * ((a > 0.0) ? (Math.pow(a, n) / a) : Math.pow(a, v77))) * v137) / (3.5449077018110318 * ((((v8 < 1.0) ? ((v8 * (v8 + 1.0)) / v15) : (1.0 - ((v8 + 0.75) / v15))) * Math.sqrt(v10)) * (1.0 + (v28 * (((((((((((((0.01524698625788054 * v28) + 0.5334320651111477) * v28) + 2.250488865813539) * v28) + 2.8612106440066865) * v28) + 1.3794681629043655) * v28) + 0.2596058532893223) * v28) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v28) + 49.328555418276075) * v28) + 167.28648538571198) * v28) + 195.37226190335065) * v28) + 90.69722535867314) * v28) + 16.763212110504565) * v28) + 1.0)))))));
     }

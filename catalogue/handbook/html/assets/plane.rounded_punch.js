@@ -13,7 +13,7 @@ const math = {
   logical_not: (x) => !x,
   where: (condition, x, y) => (condition ? x : y),
   minimum: (x, y) => (x < y || x !== x ? x : y),
-  maximum: (x, y) => (x > y || x !== x ? x : y),
+  maximum: (x, y = x) => (x > y || x !== x ? x : y),
   clip: (x, low, high) => Math.min(Math.max(x, low), high),
   sqrt: Math.sqrt,
   log: (x) => Math.log(x),
@@ -25,6 +25,7 @@ const math = {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
     return Array.from({ length: Math.max(Math.ceil((stop - start) / step), 0) }, (_, count) => start + step * count);
   },
+  truth: (x) => (Array.isArray(x) ? x.length > 0 : Boolean(x)),
   zip: (x, y) => x.slice(0, y.length).map((value, place) => [value, y[place]]),
   // named fields that are told by their places too
   record: (fields) => Object.assign(Object.values(fields), fields),
@@ -334,8 +335,8 @@ const pressure_integral_beyond = math.in_groups((slope, r, a, b) => {
   let fallen, integrand, outside, reach, stop, within;
   r = ((r === b) ? math.nextafter(b, Infinity) : r);
   within = (r < b);
-  [outside, reach] = [(within ? 0.0 : 1.0), difference_root(a, b)];
-  stop = Math.asinh(((within ? reach : difference_root(a, r)) / Math.sqrt((Math.abs((r - b)) * (r + b)))));
+  [outside, reach] = [(math.truth(within) ? 0.0 : 1.0), difference_root(a, b)];
+  stop = Math.asinh(((math.truth(within) ? reach : difference_root(a, r)) / Math.sqrt((Math.abs((r - b)) * (r + b)))));
   fallen = falling(stop, outside);
   integrand = (v) => {
     let root, t;
@@ -370,7 +371,7 @@ const _pressure = (x, a, R, b, E_star) => {
             v23 = Math.sqrt(((((v18 > 0.0) || (v18 !== v18)) ? v18 : 0.0) * (a + v8)));
           }
           v30 = Math.asinh((v23 / Math.sqrt((Math.abs((v8 - b)) * (v8 + b)))));
-          v32 = (2.0 * (v9 ? 0.0 : 1.0));
+          v32 = (2.0 * (math.truth(v9) ? 0.0 : 1.0));
           v33 = (1.0 - v32);
           v38 = (v32 - (v33 * Math.expm1(((-2.0) * v30))));
           v40 = ((v38 > 0.0) ? v38 : Infinity);
@@ -620,7 +621,7 @@ const _missed = (value, y) => {
   v3 = ((value - y) / y);
   v6 = (Math.abs(v3) < 0.5);
   if (v6) {
-    return math.log1p((v6 ? v3 : 0.0));
+    return math.log1p((math.truth(v6) ? v3 : 0.0));
   }
   return math.log((value / y));
 };
@@ -643,12 +644,12 @@ const _safe = (position, step, error, exponents, low, high, late) => {
   [from_, to] = [math.maximum(first, low), math.minimum(last, high)];
   met = Number.isFinite((high - low));
   signs = ((from_ > to) | (met & (late >= 0)));
-  middle = (((signs ? low : from_) / 2.0) + ((signs ? high : to) / 2.0));
+  middle = (((math.truth(signs) ? low : from_) / 2.0) + ((math.truth(signs) ? high : to) / 2.0));
   if ((late >= 0)) {
-    aimed = (met ? (position + step) : aimed);
+    aimed = (math.truth(met) ? (position + step) : aimed);
   }
   within = (((low <= aimed) & (aimed <= high)) & ((late < 0) || ((late % 2) === 0)));
-  return ((within ? aimed : middle) - position);
+  return ((math.truth(within) ? aimed : middle) - position);
 };
 
 const _step = (step, before, slope_before, error, slope) => {
@@ -699,8 +700,8 @@ const inverse = (curve, value, start, exponents, largest = Infinity, share = nul
     low = ((error > 0.0) ? math.maximum(low, position) : low);
     high = ((error < 0.0) ? math.minimum(high, position) : high);
     step = _safe(position, step, error, exponents, low, high, (iteration - PATIENCE));
-    position = (left ? (position + step) : position);
-    t = (left ? Math.exp(position) : t);
+    position = (math.truth(left) ? (position + step) : position);
+    t = (math.truth(left) ? Math.exp(position) : t);
     [before, slope_before] = [error, slope];
     [y, slope] = curve(t);
     y = ((y === y) ? y : Infinity);

@@ -13,7 +13,7 @@ const math = {
   logical_not: (x) => !x,
   where: (condition, x, y) => (condition ? x : y),
   minimum: (x, y) => (x < y || x !== x ? x : y),
-  maximum: (x, y) => (x > y || x !== x ? x : y),
+  maximum: (x, y = x) => (x > y || x !== x ? x : y),
   clip: (x, low, high) => Math.min(Math.max(x, low), high),
   sqrt: Math.sqrt,
   log: (x) => Math.log(x),
@@ -25,6 +25,7 @@ const math = {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
     return Array.from({ length: Math.max(Math.ceil((stop - start) / step), 0) }, (_, count) => start + step * count);
   },
+  truth: (x) => (Array.isArray(x) ? x.length > 0 : Boolean(x)),
   zip: (x, y) => x.slice(0, y.length).map((value, place) => [value, y[place]]),
   // named fields that are told by their places too
   record: (fields) => Object.assign(Object.values(fields), fields),
@@ -287,7 +288,7 @@ const _pressure_of_power_law = (r, a, A, n, E_star) => {
         v105 = (v100 - (42.0 / (((v83 > 0.001) || (v83 !== v83)) ? v83 : 0.001)));
         v106 = (((v105 > 0.0) || (v105 !== v105)) ? v105 : 0.0);
         v107 = math.sqrt(v100);
-        v112 = (v82 ? (v107 - math.sqrt(v106)) : math.sqrt((v100 - v106)));
+        v112 = (math.truth(v82) ? (v107 - math.sqrt(v106)) : math.sqrt((v100 - v106)));
         v115 = (2.0 * v107);
         v120 = (-v83);
         v135 = [];
@@ -299,7 +300,7 @@ const _pressure_of_power_law = (r, a, A, n, E_star) => {
           } else {
             v125 = v114;
           }
-          v134 = (Math.exp((v120 * (v82 ? (v114 * (v115 - v114)) : (v114 * v114)))) * ((2.0 * v125) / math.sqrt((-Math.expm1((((-2.0) * v125) * v125))))));
+          v134 = (Math.exp((v120 * (math.truth(v82) ? (v114 * (v115 - v114)) : (v114 * v114)))) * ((2.0 * v125) / math.sqrt((-Math.expm1((((-2.0) * v125) * v125))))));
           v135.push((weight * v134));
         }
         v135 = (math.fsum(v135) * v112);
@@ -307,9 +308,9 @@ const _pressure_of_power_law = (r, a, A, n, E_star) => {
       } else {
         v136 = 0.0;
       }
-      v138 = ((v82 ? 1.0 : (Math.pow((r / a), n) * (a / r))) * v136);
+      v138 = ((math.truth(v82) ? 1.0 : (Math.pow((r / a), n) * (a / r))) * v136);
     } else {
-      v138 = (v82 ? (1.0 / v83) : Infinity);
+      v138 = (math.truth(v82) ? (1.0 / v83) : Infinity);
     }
     return ((((((E_star * n) * A) / 1.7724538509055159) * ((a > 0.0) ? (Math.pow(a, n) / a) : Math.pow(a, v78))) * v138) * ((((v8 < 1.0) ? ((v8 * (v8 + 1.0)) / v14) : (1.0 - ((v8 + 0.75) / v14))) * math.sqrt(v10)) * (1.0 + (v28 * (((((((((((((0.01524698625788054 * v28) + 0.5334320651111477) * v28) + 2.250488865813539) * v28) + 2.8612106440066865) * v28) + 1.3794681629043655) * v28) + 0.2596058532893223) * v28) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v28) + 49.328555418276075) * v28) + 167.28648538571198) * v28) + 195.37226190335065) * v28) + 90.69722535867314) * v28) + 16.763212110504565) * v28) + 1.0))))));
   }
@@ -334,7 +335,7 @@ const _pressure = (r, a, A, n, E_star) => {
           v105 = (v100 - (42.0 / (((v83 > 0.001) || (v83 !== v83)) ? v83 : 0.001)));
           v106 = (((v105 > 0.0) || (v105 !== v105)) ? v105 : 0.0);
           v107 = Math.sqrt(v100);
-          v112 = (v82 ? (v107 - Math.sqrt(v106)) : Math.sqrt((v100 - v106)));
+          v112 = (math.truth(v82) ? (v107 - Math.sqrt(v106)) : Math.sqrt((v100 - v106)));
           v115 = (2.0 * v107);
           v120 = (-v83);
           v135 = [];
@@ -346,7 +347,7 @@ const _pressure = (r, a, A, n, E_star) => {
             } else {
               v125 = v114;
             }
-            v134 = (Math.exp((v120 * (v82 ? (v114 * (v115 - v114)) : (v114 * v114)))) * ((2.0 * v125) / Math.sqrt((-Math.expm1((((-2.0) * v125) * v125))))));
+            v134 = (Math.exp((v120 * (math.truth(v82) ? (v114 * (v115 - v114)) : (v114 * v114)))) * ((2.0 * v125) / Math.sqrt((-Math.expm1((((-2.0) * v125) * v125))))));
             v135.push((weight * v134));
           }
           v135 = (math.fsum(v135) * v112);
@@ -354,9 +355,9 @@ const _pressure = (r, a, A, n, E_star) => {
         } else {
           v136 = 0.0;
         }
-        v138 = ((v82 ? 1.0 : (Math.pow((r / a), n) * (a / r))) * v136);
+        v138 = ((math.truth(v82) ? 1.0 : (Math.pow((r / a), n) * (a / r))) * v136);
       } else {
-        v138 = (v82 ? (1.0 / v83) : Infinity);
+        v138 = (math.truth(v82) ? (1.0 / v83) : Infinity);
       }
       return ((((((E_star * n) * A) / 1.7724538509055159) * ((a > 0.0) ? (Math.pow(a, n) / a) : Math.pow(a, v78))) * v138) * ((((v8 < 1.0) ? ((v8 * (v8 + 1.0)) / v14) : (1.0 - ((v8 + 0.75) / v14))) * Math.sqrt(v10)) * (1.0 + (v28 * (((((((((((((0.01524698625788054 * v28) + 0.5334320651111477) * v28) + 2.250488865813539) * v28) + 2.8612106440066865) * v28) + 1.3794681629043655) * v28) + 0.2596058532893223) * v28) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v28) + 49.328555418276075) * v28) + 167.28648538571198) * v28) + 195.37226190335065) * v28) + 90.69722535867314) * v28) + 16.763212110504565) * v28) + 1.0))))));
     }
@@ -557,7 +558,7 @@ const _fallen_pressure = (depth, n) => {
     v10 = (depth - (42.0 / (((v5 > 0.001) || (v5 !== v5)) ? v5 : 0.001)));
     v12 = (((v10 > 0.0) || (v10 !== v10)) ? v10 : 0.0);
     v13 = math.sqrt(depth);
-    v18 = (v3 ? (v13 - math.sqrt(v12)) : math.sqrt((depth - v12)));
+    v18 = (math.truth(v3) ? (v13 - math.sqrt(v12)) : math.sqrt((depth - v12)));
     v22 = (2.0 * v13);
     v27 = (-v5);
     v42 = [];
@@ -569,7 +570,7 @@ const _fallen_pressure = (depth, n) => {
       } else {
         v32 = v20;
       }
-      v41 = (Math.exp((v27 * (v3 ? (v20 * (v22 - v20)) : (v20 * v20)))) * ((2.0 * v32) / math.sqrt((-Math.expm1((((-2.0) * v32) * v32))))));
+      v41 = (Math.exp((v27 * (math.truth(v3) ? (v20 * (v22 - v20)) : (v20 * v20)))) * ((2.0 * v32) / math.sqrt((-Math.expm1((((-2.0) * v32) * v32))))));
       v42.push((weight * v41));
     }
     v42 = (math.fsum(v42) * v18);
@@ -623,7 +624,7 @@ const _load_within = (r, a, A, n, E_star) => {
             v98 = (v93 - (42.0 / (((v76 > 0.001) || (v76 !== v76)) ? v76 : 0.001)));
             v99 = (((v98 > 0.0) || (v98 !== v98)) ? v98 : 0.0);
             v100 = Math.sqrt(v93);
-            v105 = (v74 ? (v100 - Math.sqrt(v99)) : Math.sqrt((v93 - v99)));
+            v105 = (math.truth(v74) ? (v100 - Math.sqrt(v99)) : Math.sqrt((v93 - v99)));
             v108 = (2.0 * v100);
             v113 = (-v76);
             v128 = [];
@@ -635,7 +636,7 @@ const _load_within = (r, a, A, n, E_star) => {
               } else {
                 v118 = v107;
               }
-              v127 = (Math.exp((v113 * (v74 ? (v107 * (v108 - v107)) : (v107 * v107)))) * ((2.0 * v118) / Math.sqrt((-Math.expm1((((-2.0) * v118) * v118))))));
+              v127 = (Math.exp((v113 * (math.truth(v74) ? (v107 * (v108 - v107)) : (v107 * v107)))) * ((2.0 * v118) / Math.sqrt((-Math.expm1((((-2.0) * v118) * v118))))));
               v128.push((weight * v127));
             }
             v128 = (math.fsum(v128) * v105);
@@ -643,9 +644,9 @@ const _load_within = (r, a, A, n, E_star) => {
           } else {
             v129 = 0.0;
           }
-          v131 = ((v74 ? 1.0 : (Math.pow((r / a), n) * (a / r))) * v129);
+          v131 = ((math.truth(v74) ? 1.0 : (Math.pow((r / a), n) * (a / r))) * v129);
         } else {
-          v131 = (v74 ? (1.0 / v76) : Infinity);
+          v131 = (math.truth(v74) ? (1.0 / v76) : Infinity);
         }
         return ((((v137 * v138) * (r * r)) * ((1.0 / (Math.sqrt((v70 * (a + r))) + a)) + (v131 / a))) * v69);
       }
@@ -714,7 +715,7 @@ const _peak_pressure = (a, A, n, E_star) => {
       v27 = (1.0 / (v9 * v9));
       v69 = (n > 2.0);
       if (v69) {
-        v72 = ((v69 ? n : 3.0) - 2.0);
+        v72 = ((math.truth(v69) ? n : 3.0) - 2.0);
         v80 = ((2.0 / (3.141592653589793 * v72)) * Math.sqrt((1.0 + (4.215 * v72))));
         v83 = (v80 * v80);
         v84 = Math.asinh(v80);
@@ -811,7 +812,7 @@ const _peak_radius = (a, n, A = 1.0, E_star = 1.0) => {
   if (((a > 1e-30) && (a < 1e+30) && (n > 1e-30) && (n < 1e+30) && (A > 1e-30) && (A < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
     v3 = (n > 2.0);
     if (v3) {
-      v6 = ((v3 ? n : 3.0) - 2.0);
+      v6 = ((math.truth(v3) ? n : 3.0) - 2.0);
       v15 = ((2.0 / (3.141592653589793 * v6)) * Math.sqrt((1.0 + (4.215 * v6))));
       v18 = (v15 * v15);
       v19 = Math.asinh(v15);
@@ -999,7 +1000,7 @@ const _depth_from_force = (F, A, n, E_star) => {
     v84 = ((v76 > 0.0) && (v76 < Infinity));
     if (v84) {
       v86 = Math.pow(v76, (1.0 / v69));
-      v97 = (v76 / (v84 ? (v86 + (v86 * (((v76 / (Math.pow(v86, n) * Math.pow(v86, 1.0))) - 1.0) / v69))) : v86));
+      v97 = (v76 / (math.truth(v84) ? (v86 + (v86 * (((v76 / (Math.pow(v86, n) * Math.pow(v86, 1.0))) - 1.0) / v69))) : v86));
     } else {
       v97 = v76;
     }
@@ -1127,7 +1128,7 @@ const _pressure_2 = (r, a, A, n, E_star, dgamma) => {
           v106 = (v101 - (42.0 / (((v84 > 0.001) || (v84 !== v84)) ? v84 : 0.001)));
           v107 = (((v106 > 0.0) || (v106 !== v106)) ? v106 : 0.0);
           v108 = Math.sqrt(v101);
-          v113 = (v83 ? (v108 - Math.sqrt(v107)) : Math.sqrt((v101 - v107)));
+          v113 = (math.truth(v83) ? (v108 - Math.sqrt(v107)) : Math.sqrt((v101 - v107)));
           v116 = (2.0 * v108);
           v121 = (-v84);
           v136 = [];
@@ -1139,7 +1140,7 @@ const _pressure_2 = (r, a, A, n, E_star, dgamma) => {
             } else {
               v126 = v115;
             }
-            v135 = (Math.exp((v121 * (v83 ? (v115 * (v116 - v115)) : (v115 * v115)))) * ((2.0 * v126) / Math.sqrt((-Math.expm1((((-2.0) * v126) * v126))))));
+            v135 = (Math.exp((v121 * (math.truth(v83) ? (v115 * (v116 - v115)) : (v115 * v115)))) * ((2.0 * v126) / Math.sqrt((-Math.expm1((((-2.0) * v126) * v126))))));
             v136.push((weight * v135));
           }
           v136 = (math.fsum(v136) * v113);
@@ -1147,9 +1148,9 @@ const _pressure_2 = (r, a, A, n, E_star, dgamma) => {
         } else {
           v137 = 0.0;
         }
-        v139 = ((v83 ? 1.0 : (Math.pow((r / a), n) * (a / r))) * v137);
+        v139 = ((math.truth(v83) ? 1.0 : (Math.pow((r / a), n) * (a / r))) * v137);
       } else {
-        v139 = (v83 ? (1.0 / v84) : Infinity);
+        v139 = (math.truth(v83) ? (1.0 / v84) : Infinity);
       }
       v143 = ((((((E_star * n) * A) / 1.7724538509055159) * ((a > 0.0) ? (Math.pow(a, n) / a) : Math.pow(a, v79))) * v139) * ((((v9 < 1.0) ? ((v9 * (v9 + 1.0)) / v15) : (1.0 - ((v9 + 0.75) / v15))) * Math.sqrt(v11)) * (1.0 + (v29 * (((((((((((((0.01524698625788054 * v29) + 0.5334320651111477) * v29) + 2.250488865813539) * v29) + 2.8612106440066865) * v29) + 1.3794681629043655) * v29) + 0.2596058532893223) * v29) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v29) + 49.328555418276075) * v29) + 167.28648538571198) * v29) + 195.37226190335065) * v29) + 90.69722535867314) * v29) + 16.763212110504565) * v29) + 1.0))))));
     } else {
@@ -1262,7 +1263,7 @@ const _displacement_2 = (r, a, A, n, E_star, dgamma) => {
     } else {
       v129 = ((((1.7724538509055159 * A) * v74) * v70) - (A * Math.pow(r, n)));
     }
-    return (v129 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (v128 ? (0.6366197723675814 * Math.atan2(a, Math.sqrt(((((v76 > 0.0) || (v76 !== v76)) ? v76 : 0.0) * (r + a))))) : 1.0)));
+    return (v129 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (math.truth(v128) ? (0.6366197723675814 * Math.atan2(a, Math.sqrt(((((v76 > 0.0) || (v76 !== v76)) ? v76 : 0.0) * (r + a))))) : 1.0)));
   }
   return _displacement_3(r, a, A, n, E_star, dgamma);
 };
@@ -1307,7 +1308,7 @@ const _missed = (value, y) => {
   v3 = ((value - y) / y);
   v6 = (Math.abs(v3) < 0.5);
   if (v6) {
-    return math.log1p((v6 ? v3 : 0.0));
+    return math.log1p((math.truth(v6) ? v3 : 0.0));
   }
   return math.log((value / y));
 };
@@ -1330,12 +1331,12 @@ const _safe = (position, step, error, exponents, low, high, late) => {
   [from_, to] = [math.maximum(first, low), math.minimum(last, high)];
   met = Number.isFinite((high - low));
   signs = ((from_ > to) | (met & (late >= 0)));
-  middle = (((signs ? low : from_) / 2.0) + ((signs ? high : to) / 2.0));
+  middle = (((math.truth(signs) ? low : from_) / 2.0) + ((math.truth(signs) ? high : to) / 2.0));
   if ((late >= 0)) {
-    aimed = (met ? (position + step) : aimed);
+    aimed = (math.truth(met) ? (position + step) : aimed);
   }
   within = (((low <= aimed) & (aimed <= high)) & ((late < 0) || ((late % 2) === 0)));
-  return ((within ? aimed : middle) - position);
+  return ((math.truth(within) ? aimed : middle) - position);
 };
 
 const _step = (step, before, slope_before, error, slope) => {
@@ -1386,8 +1387,8 @@ const inverse = (curve, value, start, exponents, largest = Infinity, share = nul
     low = ((error > 0.0) ? math.maximum(low, position) : low);
     high = ((error < 0.0) ? math.minimum(high, position) : high);
     step = _safe(position, step, error, exponents, low, high, (iteration - PATIENCE));
-    position = (left ? (position + step) : position);
-    t = (left ? Math.exp(position) : t);
+    position = (math.truth(left) ? (position + step) : position);
+    t = (math.truth(left) ? Math.exp(position) : t);
     [before, slope_before] = [error, slope];
     [y, slope] = curve(t);
     y = ((y === y) ? y : Infinity);
@@ -1575,7 +1576,7 @@ const power_gain = (r, c, a, n) => {
   [outer, inner] = [Math.sqrt(depth), Math.sqrt(log_ratio(c, r))];
   [steep, rate] = [(n > 1.0), Math.abs((n - 1.0))];
   end = (DECAY / math.maximum(rate, 0.001));
-  start = (steep ? outer : inner);
+  start = (math.truth(steep) ? outer : inner);
   side = (1.0 - (2.0 * steep));
   cut = Math.sqrt(math.maximum(((start * start) + (side * end)), 0.0));
   reach = ((growth > end) ? (end / (start + cut)) : (growth / (outer + inner)));
@@ -1584,7 +1585,7 @@ const power_gain = (r, c, a, n) => {
     fall = (step * ((2.0 * start) + (side * step)));
     return (Math.exp(((-rate) * fall)) * _weight(math.maximum((start + (side * step)), 0.0)));
   };
-  largest = (steep ? 1.0 : (Math.pow((c / a), n) * (a / c)));
+  largest = (math.truth(steep) ? 1.0 : (Math.pow((c / a), n) * (a / c)));
   within = ((reach > 0.0) ? math.integral(integrand, reach, NODES_of_slip) : 0.0);
   centre = ((-Math.expm1(((-rate) * growth))) / ((rate > 0.0) ? rate : 1.0));
   return ((rate > 0.0) ? (largest * ((r > 0.0) ? within : centre)) : arc_gain(r, c, a));
@@ -1869,7 +1870,7 @@ const _tail = (rest, near, m, half, far) => {
     v19 = v7;
   } else {
     v12 = Math.abs(v10);
-    v19 = ((-Math.expm1(((-v12) * v7))) / (v11 ? 1.0 : v12));
+    v19 = ((-Math.expm1(((-v12) * v7))) / (math.truth(v11) ? 1.0 : v12));
   }
   v21 = (near + v7);
   v31 = (0.0 - half);
@@ -1879,7 +1880,7 @@ const _tail = (rest, near, m, half, far) => {
     v42 = v7;
   } else {
     v35 = Math.abs(v33);
-    v42 = ((-Math.expm1(((-v35) * v7))) / (v34 ? 1.0 : v35));
+    v42 = ((-Math.expm1(((-v35) * v7))) / (math.truth(v34) ? 1.0 : v35));
   }
   v56 = ((v31 * (1.0 - half)) / 2.0);
   v58 = (m - 4.0);
@@ -1888,7 +1889,7 @@ const _tail = (rest, near, m, half, far) => {
     v67 = v7;
   } else {
     v60 = Math.abs(v58);
-    v67 = ((-Math.expm1(((-v60) * v7))) / (v59 ? 1.0 : v60));
+    v67 = ((-Math.expm1(((-v60) * v7))) / (math.truth(v59) ? 1.0 : v60));
   }
   v82 = ((v56 * (2.0 - half)) / 3.0);
   v84 = (m - 6.0);
@@ -1897,7 +1898,7 @@ const _tail = (rest, near, m, half, far) => {
     v93 = v7;
   } else {
     v86 = Math.abs(v84);
-    v93 = ((-Math.expm1(((-v86) * v7))) / (v85 ? 1.0 : v86));
+    v93 = ((-Math.expm1(((-v86) * v7))) / (math.truth(v85) ? 1.0 : v86));
   }
   v107 = ((v82 * (3.0 - half)) / 4.0);
   v109 = (m - 8.0);
@@ -1906,7 +1907,7 @@ const _tail = (rest, near, m, half, far) => {
     v118 = v7;
   } else {
     v111 = Math.abs(v109);
-    v118 = ((-Math.expm1(((-v111) * v7))) / (v110 ? 1.0 : v111));
+    v118 = ((-Math.expm1(((-v111) * v7))) / (math.truth(v110) ? 1.0 : v111));
   }
   v133 = ((v107 * (4.0 - half)) / 5.0);
   v135 = (m - 10.0);
@@ -1915,7 +1916,7 @@ const _tail = (rest, near, m, half, far) => {
     v144 = v7;
   } else {
     v137 = Math.abs(v135);
-    v144 = ((-Math.expm1(((-v137) * v7))) / (v136 ? 1.0 : v137));
+    v144 = ((-Math.expm1(((-v137) * v7))) / (math.truth(v136) ? 1.0 : v137));
   }
   v158 = ((v133 * (5.0 - half)) / 6.0);
   v160 = (m - 12.0);
@@ -1924,7 +1925,7 @@ const _tail = (rest, near, m, half, far) => {
     v169 = v7;
   } else {
     v162 = Math.abs(v160);
-    v169 = ((-Math.expm1(((-v162) * v7))) / (v161 ? 1.0 : v162));
+    v169 = ((-Math.expm1(((-v162) * v7))) / (math.truth(v161) ? 1.0 : v162));
   }
   v184 = ((v158 * (6.0 - half)) / 7.0);
   v186 = (m - 14.0);
@@ -1933,7 +1934,7 @@ const _tail = (rest, near, m, half, far) => {
     v195 = v7;
   } else {
     v188 = Math.abs(v186);
-    v195 = ((-Math.expm1(((-v188) * v7))) / (v187 ? 1.0 : v188));
+    v195 = ((-Math.expm1(((-v188) * v7))) / (math.truth(v187) ? 1.0 : v188));
   }
   v209 = ((v184 * (7.0 - half)) / 8.0);
   v211 = (m - 16.0);
@@ -1942,7 +1943,7 @@ const _tail = (rest, near, m, half, far) => {
     v220 = v7;
   } else {
     v213 = Math.abs(v211);
-    v220 = ((-Math.expm1(((-v213) * v7))) / (v212 ? 1.0 : v213));
+    v220 = ((-Math.expm1(((-v213) * v7))) / (math.truth(v212) ? 1.0 : v213));
   }
   v235 = ((v209 * (8.0 - half)) / 9.0);
   v237 = (m - 18.0);
@@ -1951,7 +1952,7 @@ const _tail = (rest, near, m, half, far) => {
     v246 = v7;
   } else {
     v239 = Math.abs(v237);
-    v246 = ((-Math.expm1(((-v239) * v7))) / (v238 ? 1.0 : v239));
+    v246 = ((-Math.expm1(((-v239) * v7))) / (math.truth(v238) ? 1.0 : v239));
   }
   v260 = ((v235 * (9.0 - half)) / 10.0);
   v262 = (m - 20.0);
@@ -1960,7 +1961,7 @@ const _tail = (rest, near, m, half, far) => {
     v271 = v7;
   } else {
     v264 = Math.abs(v262);
-    v271 = ((-Math.expm1(((-v264) * v7))) / (v263 ? 1.0 : v264));
+    v271 = ((-Math.expm1(((-v264) * v7))) / (math.truth(v263) ? 1.0 : v264));
   }
   v286 = ((v260 * (10.0 - half)) / 11.0);
   v288 = (m - 22.0);
@@ -1969,7 +1970,7 @@ const _tail = (rest, near, m, half, far) => {
     v297 = v7;
   } else {
     v290 = Math.abs(v288);
-    v297 = ((-Math.expm1(((-v290) * v7))) / (v289 ? 1.0 : v290));
+    v297 = ((-Math.expm1(((-v290) * v7))) / (math.truth(v289) ? 1.0 : v290));
   }
   v311 = ((v286 * (11.0 - half)) / 12.0);
   v313 = (m - 24.0);
@@ -1978,7 +1979,7 @@ const _tail = (rest, near, m, half, far) => {
     v322 = v7;
   } else {
     v315 = Math.abs(v313);
-    v322 = ((-Math.expm1(((-v315) * v7))) / (v314 ? 1.0 : v315));
+    v322 = ((-Math.expm1(((-v315) * v7))) / (math.truth(v314) ? 1.0 : v315));
   }
   v337 = ((v311 * (12.0 - half)) / 13.0);
   v339 = (m - 26.0);
@@ -1987,7 +1988,7 @@ const _tail = (rest, near, m, half, far) => {
     v348 = v7;
   } else {
     v341 = Math.abs(v339);
-    v348 = ((-Math.expm1(((-v341) * v7))) / (v340 ? 1.0 : v341));
+    v348 = ((-Math.expm1(((-v341) * v7))) / (math.truth(v340) ? 1.0 : v341));
   }
   v362 = ((v337 * (13.0 - half)) / 14.0);
   v364 = (m - 28.0);
@@ -1996,7 +1997,7 @@ const _tail = (rest, near, m, half, far) => {
     v373 = v7;
   } else {
     v366 = Math.abs(v364);
-    v373 = ((-Math.expm1(((-v366) * v7))) / (v365 ? 1.0 : v366));
+    v373 = ((-Math.expm1(((-v366) * v7))) / (math.truth(v365) ? 1.0 : v366));
   }
   v388 = ((v362 * (14.0 - half)) / 15.0);
   v390 = (m - 30.0);
@@ -2005,7 +2006,7 @@ const _tail = (rest, near, m, half, far) => {
     v399 = v7;
   } else {
     v392 = Math.abs(v390);
-    v399 = ((-Math.expm1(((-v392) * v7))) / (v391 ? 1.0 : v392));
+    v399 = ((-Math.expm1(((-v392) * v7))) / (math.truth(v391) ? 1.0 : v392));
   }
   v413 = ((v388 * (15.0 - half)) / 16.0);
   v415 = (m - 32.0);
@@ -2014,7 +2015,7 @@ const _tail = (rest, near, m, half, far) => {
     v424 = v7;
   } else {
     v417 = Math.abs(v415);
-    v424 = ((-Math.expm1(((-v417) * v7))) / (v416 ? 1.0 : v417));
+    v424 = ((-Math.expm1(((-v417) * v7))) / (math.truth(v416) ? 1.0 : v417));
   }
   v439 = ((v413 * (16.0 - half)) / 17.0);
   v441 = (m - 34.0);
@@ -2023,7 +2024,7 @@ const _tail = (rest, near, m, half, far) => {
     v450 = v7;
   } else {
     v443 = Math.abs(v441);
-    v450 = ((-Math.expm1(((-v443) * v7))) / (v442 ? 1.0 : v443));
+    v450 = ((-Math.expm1(((-v443) * v7))) / (math.truth(v442) ? 1.0 : v443));
   }
   v464 = ((v439 * (17.0 - half)) / 18.0);
   v466 = (m - 36.0);
@@ -2032,7 +2033,7 @@ const _tail = (rest, near, m, half, far) => {
     v475 = v7;
   } else {
     v468 = Math.abs(v466);
-    v475 = ((-Math.expm1(((-v468) * v7))) / (v467 ? 1.0 : v468));
+    v475 = ((-Math.expm1(((-v468) * v7))) / (math.truth(v467) ? 1.0 : v468));
   }
   v490 = ((v464 * (18.0 - half)) / 19.0);
   v492 = (m - 38.0);
@@ -2041,7 +2042,7 @@ const _tail = (rest, near, m, half, far) => {
     v501 = v7;
   } else {
     v494 = Math.abs(v492);
-    v501 = ((-Math.expm1(((-v494) * v7))) / (v493 ? 1.0 : v494));
+    v501 = ((-Math.expm1(((-v494) * v7))) / (math.truth(v493) ? 1.0 : v494));
   }
   v512 = ((((((((((((((((((((0.0 + (v19 * ((v10 > 0.0) ? Math.exp(((-0.0) * v21)) : (Math.exp(((-0.0) * near)) * far)))) + ((v31 * v42) * ((v33 > 0.0) ? Math.exp(((-2.0) * v21)) : (Math.exp(((-2.0) * near)) * far)))) + ((v56 * v67) * ((v58 > 0.0) ? Math.exp(((-4.0) * v21)) : (Math.exp(((-4.0) * near)) * far)))) + ((v82 * v93) * ((v84 > 0.0) ? Math.exp(((-6.0) * v21)) : (Math.exp(((-6.0) * near)) * far)))) + ((v107 * v118) * ((v109 > 0.0) ? Math.exp(((-8.0) * v21)) : (Math.exp(((-8.0) * near)) * far)))) + ((v133 * v144) * ((v135 > 0.0) ? Math.exp(((-10.0) * v21)) : (Math.exp(((-10.0) * near)) * far)))) + ((v158 * v169) * ((v160 > 0.0) ? Math.exp(((-12.0) * v21)) : (Math.exp(((-12.0) * near)) * far)))) + ((v184 * v195) * ((v186 > 0.0) ? Math.exp(((-14.0) * v21)) : (Math.exp(((-14.0) * near)) * far)))) + ((v209 * v220) * ((v211 > 0.0) ? Math.exp(((-16.0) * v21)) : (Math.exp(((-16.0) * near)) * far)))) + ((v235 * v246) * ((v237 > 0.0) ? Math.exp(((-18.0) * v21)) : (Math.exp(((-18.0) * near)) * far)))) + ((v260 * v271) * ((v262 > 0.0) ? Math.exp(((-20.0) * v21)) : (Math.exp(((-20.0) * near)) * far)))) + ((v286 * v297) * ((v288 > 0.0) ? Math.exp(((-22.0) * v21)) : (Math.exp(((-22.0) * near)) * far)))) + ((v311 * v322) * ((v313 > 0.0) ? Math.exp(((-24.0) * v21)) : (Math.exp(((-24.0) * near)) * far)))) + ((v337 * v348) * ((v339 > 0.0) ? Math.exp(((-26.0) * v21)) : (Math.exp(((-26.0) * near)) * far)))) + ((v362 * v373) * ((v364 > 0.0) ? Math.exp(((-28.0) * v21)) : (Math.exp(((-28.0) * near)) * far)))) + ((v388 * v399) * ((v390 > 0.0) ? Math.exp(((-30.0) * v21)) : (Math.exp(((-30.0) * near)) * far)))) + ((v413 * v424) * ((v415 > 0.0) ? Math.exp(((-32.0) * v21)) : (Math.exp(((-32.0) * near)) * far)))) + ((v439 * v450) * ((v441 > 0.0) ? Math.exp(((-34.0) * v21)) : (Math.exp(((-34.0) * near)) * far)))) + ((v464 * v475) * ((v466 > 0.0) ? Math.exp(((-36.0) * v21)) : (Math.exp(((-36.0) * near)) * far)))) + ((v490 * v501) * ((v492 > 0.0) ? Math.exp(((-38.0) * v21)) : (Math.exp(((-38.0) * near)) * far))));
   v515 = ((v490 * (19.0 - half)) / 20.0);
@@ -2051,7 +2052,7 @@ const _tail = (rest, near, m, half, far) => {
     v526 = v7;
   } else {
     v519 = Math.abs(v517);
-    v526 = ((-Math.expm1(((-v519) * v7))) / (v518 ? 1.0 : v519));
+    v526 = ((-Math.expm1(((-v519) * v7))) / (math.truth(v518) ? 1.0 : v519));
   }
   v543 = (m - 42.0);
   v544 = (v543 === 0.0);
@@ -2059,7 +2060,7 @@ const _tail = (rest, near, m, half, far) => {
     v552 = v7;
   } else {
     v545 = Math.abs(v543);
-    v552 = ((-Math.expm1(((-v545) * v7))) / (v544 ? 1.0 : v545));
+    v552 = ((-Math.expm1(((-v545) * v7))) / (math.truth(v544) ? 1.0 : v545));
   }
   return ((v512 + ((v515 * v526) * ((v517 > 0.0) ? Math.exp(((-40.0) * v21)) : (Math.exp(((-40.0) * near)) * far)))) + ((((v515 * (20.0 - half)) / 21.0) * v552) * ((v543 > 0.0) ? Math.exp(((-42.0) * v21)) : (Math.exp(((-42.0) * near)) * far))));
 };
@@ -2151,7 +2152,7 @@ const from_edge = (shape, a, q, c, stop, k, steep = false) => {
     sinh = Math.sinh((half + v));
     return (smooth((half + v), sinh) * Math.pow(sinh, k));
   };
-  longest = (steep ? Infinity : Number(math.maximum((Number.isFinite(stop) ? stop : 0.0))));
+  longest = (math.truth(steep) ? Infinity : Number(math.maximum((Number.isFinite(stop) ? stop : 0.0))));
   for ([length, count] of EDGE) {
     if ((longest <= length)) {
       return ((raised(ratio, k) * raised(stop, k)) * weighted(first, stop, k, count));
@@ -2497,8 +2498,8 @@ const _power_growth = (r, c, a, n, k) => {
   let cut, end, falls, inner, integrand, last, lost, outer, side, start, stop, within;
   [inner, outer] = [difference_root(c, r), difference_root(a, r)];
   falls = ((n + (k - 1.0)) >= 0.0);
-  end = (falls ? a : c);
-  start = (falls ? outer : inner);
+  end = (math.truth(falls) ? a : c);
+  start = (math.truth(falls) ? outer : inner);
   side = (1.0 - (2.0 * falls));
   lost = (Math.pow((a / outer), 2) * (-Math.expm1((((-2.0) * DECAY_of_slip) / math.maximum((n - 2.0), 0.001)))));
   cut = ((-0.5) * Math.log1p((-math.minimum(lost, (1.0 - 1e-16)))));
@@ -2507,7 +2508,7 @@ const _power_growth = (r, c, a, n, k) => {
   integrand = (w) => {
     let base, change, distance;
     distance = (start * Math.exp((side * w)));
-    base = (falls ? ((r * r) + (distance * distance)) : (c * c));
+    base = (math.truth(falls) ? ((r * r) + (distance * distance)) : (c * c));
     change = (0.5 * Math.log1p((((start * start) * Math.abs(Math.expm1(((2.0 * side) * w)))) / base)));
     return Math.exp((side * (((n - 2.0) * change) + ((1.0 + k) * w))));
   };
@@ -2545,7 +2546,7 @@ const either = (condition, x, y) => {
   if (Boolean(condition)) {
     return x();
   }
-  return (Boolean(condition) ? (condition ? x() : y()) : y());
+  return (Boolean(condition) ? (math.truth(condition) ? x() : y()) : y());
 };
 
 const _traction_of_power_law = (r, a, c, A, n, H, k, mu) => {

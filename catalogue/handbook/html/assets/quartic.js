@@ -13,7 +13,7 @@ const math = {
   logical_not: (x) => !x,
   where: (condition, x, y) => (condition ? x : y),
   minimum: (x, y) => (x < y || x !== x ? x : y),
-  maximum: (x, y) => (x > y || x !== x ? x : y),
+  maximum: (x, y = x) => (x > y || x !== x ? x : y),
   clip: (x, low, high) => Math.min(Math.max(x, low), high),
   sqrt: Math.sqrt,
   log: (x) => Math.log(x),
@@ -25,6 +25,7 @@ const math = {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
     return Array.from({ length: Math.max(Math.ceil((stop - start) / step), 0) }, (_, count) => start + step * count);
   },
+  truth: (x) => (Array.isArray(x) ? x.length > 0 : Boolean(x)),
   zip: (x, y) => x.slice(0, y.length).map((value, place) => [value, y[place]]),
   // named fields that are told by their places too
   record: (fields) => Object.assign(Object.values(fields), fields),
@@ -493,7 +494,7 @@ const _depth_from_force = (F, A, E_star) => {
     v8 = ((v3 > 0.0) && (v3 < Infinity));
     if (v8) {
       v10 = Math.pow(v3, 0.2);
-      v23 = (v3 / (v8 ? (v10 + (v10 * (((v3 / (Math.pow(v10, 5.0) * Math.pow(v10, 0.0))) - 1.0) / 5.0))) : v10));
+      v23 = (v3 / (math.truth(v8) ? (v10 + (v10 * (((v3 / (Math.pow(v10, 5.0) * Math.pow(v10, 0.0))) - 1.0) / 5.0))) : v10));
     } else {
       v23 = v3;
     }
@@ -678,7 +679,7 @@ const _displacement_of_quartic = (r, a, A, E_star, dgamma) => {
       v83 = (r * r);
       v88 = ((((8.0 * A) / 3.0) * v12) - (A * (v83 * v83)));
     }
-    return (v88 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (v87 ? (0.6366197723675814 * Math.atan2(a, Math.sqrt(((((v14 > 0.0) || (v14 !== v14)) ? v14 : 0.0) * v15)))) : 1.0)));
+    return (v88 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (math.truth(v87) ? (0.6366197723675814 * Math.atan2(a, Math.sqrt(((((v14 > 0.0) || (v14 !== v14)) ? v14 : 0.0) * v15)))) : 1.0)));
   }
   return _displacement_2(r, a, A, E_star, dgamma);
 };
@@ -713,7 +714,7 @@ const _missed = (value, y) => {
   v3 = ((value - y) / y);
   v6 = (Math.abs(v3) < 0.5);
   if (v6) {
-    return math.log1p((v6 ? v3 : 0.0));
+    return math.log1p((math.truth(v6) ? v3 : 0.0));
   }
   return math.log((value / y));
 };
@@ -736,12 +737,12 @@ const _safe = (position, step, error, exponents, low, high, late) => {
   [from_, to] = [math.maximum(first, low), math.minimum(last, high)];
   met = Number.isFinite((high - low));
   signs = ((from_ > to) | (met & (late >= 0)));
-  middle = (((signs ? low : from_) / 2.0) + ((signs ? high : to) / 2.0));
+  middle = (((math.truth(signs) ? low : from_) / 2.0) + ((math.truth(signs) ? high : to) / 2.0));
   if ((late >= 0)) {
-    aimed = (met ? (position + step) : aimed);
+    aimed = (math.truth(met) ? (position + step) : aimed);
   }
   within = (((low <= aimed) & (aimed <= high)) & ((late < 0) || ((late % 2) === 0)));
-  return ((within ? aimed : middle) - position);
+  return ((math.truth(within) ? aimed : middle) - position);
 };
 
 const _step = (step, before, slope_before, error, slope) => {
@@ -792,8 +793,8 @@ const inverse = (curve, value, start, exponents, largest = Infinity, share = nul
     low = ((error > 0.0) ? math.maximum(low, position) : low);
     high = ((error < 0.0) ? math.minimum(high, position) : high);
     step = _safe(position, step, error, exponents, low, high, (iteration - PATIENCE));
-    position = (left ? (position + step) : position);
-    t = (left ? Math.exp(position) : t);
+    position = (math.truth(left) ? (position + step) : position);
+    t = (math.truth(left) ? Math.exp(position) : t);
     [before, slope_before] = [error, slope];
     [y, slope] = curve(t);
     y = ((y === y) ? y : Infinity);
@@ -1226,7 +1227,7 @@ const _tail = (rest, near, m, half, far) => {
     v19 = v7;
   } else {
     v12 = Math.abs(v10);
-    v19 = ((-Math.expm1(((-v12) * v7))) / (v11 ? 1.0 : v12));
+    v19 = ((-Math.expm1(((-v12) * v7))) / (math.truth(v11) ? 1.0 : v12));
   }
   v21 = (near + v7);
   v31 = (0.0 - half);
@@ -1236,7 +1237,7 @@ const _tail = (rest, near, m, half, far) => {
     v42 = v7;
   } else {
     v35 = Math.abs(v33);
-    v42 = ((-Math.expm1(((-v35) * v7))) / (v34 ? 1.0 : v35));
+    v42 = ((-Math.expm1(((-v35) * v7))) / (math.truth(v34) ? 1.0 : v35));
   }
   v56 = ((v31 * (1.0 - half)) / 2.0);
   v58 = (m - 4.0);
@@ -1245,7 +1246,7 @@ const _tail = (rest, near, m, half, far) => {
     v67 = v7;
   } else {
     v60 = Math.abs(v58);
-    v67 = ((-Math.expm1(((-v60) * v7))) / (v59 ? 1.0 : v60));
+    v67 = ((-Math.expm1(((-v60) * v7))) / (math.truth(v59) ? 1.0 : v60));
   }
   v82 = ((v56 * (2.0 - half)) / 3.0);
   v84 = (m - 6.0);
@@ -1254,7 +1255,7 @@ const _tail = (rest, near, m, half, far) => {
     v93 = v7;
   } else {
     v86 = Math.abs(v84);
-    v93 = ((-Math.expm1(((-v86) * v7))) / (v85 ? 1.0 : v86));
+    v93 = ((-Math.expm1(((-v86) * v7))) / (math.truth(v85) ? 1.0 : v86));
   }
   v107 = ((v82 * (3.0 - half)) / 4.0);
   v109 = (m - 8.0);
@@ -1263,7 +1264,7 @@ const _tail = (rest, near, m, half, far) => {
     v118 = v7;
   } else {
     v111 = Math.abs(v109);
-    v118 = ((-Math.expm1(((-v111) * v7))) / (v110 ? 1.0 : v111));
+    v118 = ((-Math.expm1(((-v111) * v7))) / (math.truth(v110) ? 1.0 : v111));
   }
   v133 = ((v107 * (4.0 - half)) / 5.0);
   v135 = (m - 10.0);
@@ -1272,7 +1273,7 @@ const _tail = (rest, near, m, half, far) => {
     v144 = v7;
   } else {
     v137 = Math.abs(v135);
-    v144 = ((-Math.expm1(((-v137) * v7))) / (v136 ? 1.0 : v137));
+    v144 = ((-Math.expm1(((-v137) * v7))) / (math.truth(v136) ? 1.0 : v137));
   }
   v158 = ((v133 * (5.0 - half)) / 6.0);
   v160 = (m - 12.0);
@@ -1281,7 +1282,7 @@ const _tail = (rest, near, m, half, far) => {
     v169 = v7;
   } else {
     v162 = Math.abs(v160);
-    v169 = ((-Math.expm1(((-v162) * v7))) / (v161 ? 1.0 : v162));
+    v169 = ((-Math.expm1(((-v162) * v7))) / (math.truth(v161) ? 1.0 : v162));
   }
   v184 = ((v158 * (6.0 - half)) / 7.0);
   v186 = (m - 14.0);
@@ -1290,7 +1291,7 @@ const _tail = (rest, near, m, half, far) => {
     v195 = v7;
   } else {
     v188 = Math.abs(v186);
-    v195 = ((-Math.expm1(((-v188) * v7))) / (v187 ? 1.0 : v188));
+    v195 = ((-Math.expm1(((-v188) * v7))) / (math.truth(v187) ? 1.0 : v188));
   }
   v209 = ((v184 * (7.0 - half)) / 8.0);
   v211 = (m - 16.0);
@@ -1299,7 +1300,7 @@ const _tail = (rest, near, m, half, far) => {
     v220 = v7;
   } else {
     v213 = Math.abs(v211);
-    v220 = ((-Math.expm1(((-v213) * v7))) / (v212 ? 1.0 : v213));
+    v220 = ((-Math.expm1(((-v213) * v7))) / (math.truth(v212) ? 1.0 : v213));
   }
   v235 = ((v209 * (8.0 - half)) / 9.0);
   v237 = (m - 18.0);
@@ -1308,7 +1309,7 @@ const _tail = (rest, near, m, half, far) => {
     v246 = v7;
   } else {
     v239 = Math.abs(v237);
-    v246 = ((-Math.expm1(((-v239) * v7))) / (v238 ? 1.0 : v239));
+    v246 = ((-Math.expm1(((-v239) * v7))) / (math.truth(v238) ? 1.0 : v239));
   }
   v260 = ((v235 * (9.0 - half)) / 10.0);
   v262 = (m - 20.0);
@@ -1317,7 +1318,7 @@ const _tail = (rest, near, m, half, far) => {
     v271 = v7;
   } else {
     v264 = Math.abs(v262);
-    v271 = ((-Math.expm1(((-v264) * v7))) / (v263 ? 1.0 : v264));
+    v271 = ((-Math.expm1(((-v264) * v7))) / (math.truth(v263) ? 1.0 : v264));
   }
   v286 = ((v260 * (10.0 - half)) / 11.0);
   v288 = (m - 22.0);
@@ -1326,7 +1327,7 @@ const _tail = (rest, near, m, half, far) => {
     v297 = v7;
   } else {
     v290 = Math.abs(v288);
-    v297 = ((-Math.expm1(((-v290) * v7))) / (v289 ? 1.0 : v290));
+    v297 = ((-Math.expm1(((-v290) * v7))) / (math.truth(v289) ? 1.0 : v290));
   }
   v311 = ((v286 * (11.0 - half)) / 12.0);
   v313 = (m - 24.0);
@@ -1335,7 +1336,7 @@ const _tail = (rest, near, m, half, far) => {
     v322 = v7;
   } else {
     v315 = Math.abs(v313);
-    v322 = ((-Math.expm1(((-v315) * v7))) / (v314 ? 1.0 : v315));
+    v322 = ((-Math.expm1(((-v315) * v7))) / (math.truth(v314) ? 1.0 : v315));
   }
   v337 = ((v311 * (12.0 - half)) / 13.0);
   v339 = (m - 26.0);
@@ -1344,7 +1345,7 @@ const _tail = (rest, near, m, half, far) => {
     v348 = v7;
   } else {
     v341 = Math.abs(v339);
-    v348 = ((-Math.expm1(((-v341) * v7))) / (v340 ? 1.0 : v341));
+    v348 = ((-Math.expm1(((-v341) * v7))) / (math.truth(v340) ? 1.0 : v341));
   }
   v362 = ((v337 * (13.0 - half)) / 14.0);
   v364 = (m - 28.0);
@@ -1353,7 +1354,7 @@ const _tail = (rest, near, m, half, far) => {
     v373 = v7;
   } else {
     v366 = Math.abs(v364);
-    v373 = ((-Math.expm1(((-v366) * v7))) / (v365 ? 1.0 : v366));
+    v373 = ((-Math.expm1(((-v366) * v7))) / (math.truth(v365) ? 1.0 : v366));
   }
   v388 = ((v362 * (14.0 - half)) / 15.0);
   v390 = (m - 30.0);
@@ -1362,7 +1363,7 @@ const _tail = (rest, near, m, half, far) => {
     v399 = v7;
   } else {
     v392 = Math.abs(v390);
-    v399 = ((-Math.expm1(((-v392) * v7))) / (v391 ? 1.0 : v392));
+    v399 = ((-Math.expm1(((-v392) * v7))) / (math.truth(v391) ? 1.0 : v392));
   }
   v413 = ((v388 * (15.0 - half)) / 16.0);
   v415 = (m - 32.0);
@@ -1371,7 +1372,7 @@ const _tail = (rest, near, m, half, far) => {
     v424 = v7;
   } else {
     v417 = Math.abs(v415);
-    v424 = ((-Math.expm1(((-v417) * v7))) / (v416 ? 1.0 : v417));
+    v424 = ((-Math.expm1(((-v417) * v7))) / (math.truth(v416) ? 1.0 : v417));
   }
   v439 = ((v413 * (16.0 - half)) / 17.0);
   v441 = (m - 34.0);
@@ -1380,7 +1381,7 @@ const _tail = (rest, near, m, half, far) => {
     v450 = v7;
   } else {
     v443 = Math.abs(v441);
-    v450 = ((-Math.expm1(((-v443) * v7))) / (v442 ? 1.0 : v443));
+    v450 = ((-Math.expm1(((-v443) * v7))) / (math.truth(v442) ? 1.0 : v443));
   }
   v464 = ((v439 * (17.0 - half)) / 18.0);
   v466 = (m - 36.0);
@@ -1389,7 +1390,7 @@ const _tail = (rest, near, m, half, far) => {
     v475 = v7;
   } else {
     v468 = Math.abs(v466);
-    v475 = ((-Math.expm1(((-v468) * v7))) / (v467 ? 1.0 : v468));
+    v475 = ((-Math.expm1(((-v468) * v7))) / (math.truth(v467) ? 1.0 : v468));
   }
   v490 = ((v464 * (18.0 - half)) / 19.0);
   v492 = (m - 38.0);
@@ -1398,7 +1399,7 @@ const _tail = (rest, near, m, half, far) => {
     v501 = v7;
   } else {
     v494 = Math.abs(v492);
-    v501 = ((-Math.expm1(((-v494) * v7))) / (v493 ? 1.0 : v494));
+    v501 = ((-Math.expm1(((-v494) * v7))) / (math.truth(v493) ? 1.0 : v494));
   }
   v512 = ((((((((((((((((((((0.0 + (v19 * ((v10 > 0.0) ? Math.exp(((-0.0) * v21)) : (Math.exp(((-0.0) * near)) * far)))) + ((v31 * v42) * ((v33 > 0.0) ? Math.exp(((-2.0) * v21)) : (Math.exp(((-2.0) * near)) * far)))) + ((v56 * v67) * ((v58 > 0.0) ? Math.exp(((-4.0) * v21)) : (Math.exp(((-4.0) * near)) * far)))) + ((v82 * v93) * ((v84 > 0.0) ? Math.exp(((-6.0) * v21)) : (Math.exp(((-6.0) * near)) * far)))) + ((v107 * v118) * ((v109 > 0.0) ? Math.exp(((-8.0) * v21)) : (Math.exp(((-8.0) * near)) * far)))) + ((v133 * v144) * ((v135 > 0.0) ? Math.exp(((-10.0) * v21)) : (Math.exp(((-10.0) * near)) * far)))) + ((v158 * v169) * ((v160 > 0.0) ? Math.exp(((-12.0) * v21)) : (Math.exp(((-12.0) * near)) * far)))) + ((v184 * v195) * ((v186 > 0.0) ? Math.exp(((-14.0) * v21)) : (Math.exp(((-14.0) * near)) * far)))) + ((v209 * v220) * ((v211 > 0.0) ? Math.exp(((-16.0) * v21)) : (Math.exp(((-16.0) * near)) * far)))) + ((v235 * v246) * ((v237 > 0.0) ? Math.exp(((-18.0) * v21)) : (Math.exp(((-18.0) * near)) * far)))) + ((v260 * v271) * ((v262 > 0.0) ? Math.exp(((-20.0) * v21)) : (Math.exp(((-20.0) * near)) * far)))) + ((v286 * v297) * ((v288 > 0.0) ? Math.exp(((-22.0) * v21)) : (Math.exp(((-22.0) * near)) * far)))) + ((v311 * v322) * ((v313 > 0.0) ? Math.exp(((-24.0) * v21)) : (Math.exp(((-24.0) * near)) * far)))) + ((v337 * v348) * ((v339 > 0.0) ? Math.exp(((-26.0) * v21)) : (Math.exp(((-26.0) * near)) * far)))) + ((v362 * v373) * ((v364 > 0.0) ? Math.exp(((-28.0) * v21)) : (Math.exp(((-28.0) * near)) * far)))) + ((v388 * v399) * ((v390 > 0.0) ? Math.exp(((-30.0) * v21)) : (Math.exp(((-30.0) * near)) * far)))) + ((v413 * v424) * ((v415 > 0.0) ? Math.exp(((-32.0) * v21)) : (Math.exp(((-32.0) * near)) * far)))) + ((v439 * v450) * ((v441 > 0.0) ? Math.exp(((-34.0) * v21)) : (Math.exp(((-34.0) * near)) * far)))) + ((v464 * v475) * ((v466 > 0.0) ? Math.exp(((-36.0) * v21)) : (Math.exp(((-36.0) * near)) * far)))) + ((v490 * v501) * ((v492 > 0.0) ? Math.exp(((-38.0) * v21)) : (Math.exp(((-38.0) * near)) * far))));
   v515 = ((v490 * (19.0 - half)) / 20.0);
@@ -1408,7 +1409,7 @@ const _tail = (rest, near, m, half, far) => {
     v526 = v7;
   } else {
     v519 = Math.abs(v517);
-    v526 = ((-Math.expm1(((-v519) * v7))) / (v518 ? 1.0 : v519));
+    v526 = ((-Math.expm1(((-v519) * v7))) / (math.truth(v518) ? 1.0 : v519));
   }
   v543 = (m - 42.0);
   v544 = (v543 === 0.0);
@@ -1416,7 +1417,7 @@ const _tail = (rest, near, m, half, far) => {
     v552 = v7;
   } else {
     v545 = Math.abs(v543);
-    v552 = ((-Math.expm1(((-v545) * v7))) / (v544 ? 1.0 : v545));
+    v552 = ((-Math.expm1(((-v545) * v7))) / (math.truth(v544) ? 1.0 : v545));
   }
   return ((v512 + ((v515 * v526) * ((v517 > 0.0) ? Math.exp(((-40.0) * v21)) : (Math.exp(((-40.0) * near)) * far)))) + ((((v515 * (20.0 - half)) / 21.0) * v552) * ((v543 > 0.0) ? Math.exp(((-42.0) * v21)) : (Math.exp(((-42.0) * near)) * far))));
 };
@@ -1502,7 +1503,7 @@ const from_edge = (shape, a, q, c, stop, k, steep = false) => {
     sinh = Math.sinh((half + v));
     return (smooth((half + v), sinh) * Math.pow(sinh, k));
   };
-  longest = (steep ? Infinity : Number(math.maximum((Number.isFinite(stop) ? stop : 0.0))));
+  longest = (math.truth(steep) ? Infinity : Number(math.maximum((Number.isFinite(stop) ? stop : 0.0))));
   for ([length, count] of EDGE) {
     if ((longest <= length)) {
       return ((raised(ratio, k) * raised(stop, k)) * weighted(first, stop, k, count));
@@ -1839,8 +1840,8 @@ const _power_growth = (r, c, a, n, k) => {
   let cut, end, falls, inner, integrand, last, lost, outer, side, start, stop, within;
   [inner, outer] = [difference_root(c, r), difference_root(a, r)];
   falls = ((n + (k - 1.0)) >= 0.0);
-  end = (falls ? a : c);
-  start = (falls ? outer : inner);
+  end = (math.truth(falls) ? a : c);
+  start = (math.truth(falls) ? outer : inner);
   side = (1.0 - (2.0 * falls));
   lost = (Math.pow((a / outer), 2) * (-Math.expm1((((-2.0) * DECAY) / math.maximum((n - 2.0), 0.001)))));
   cut = ((-0.5) * Math.log1p((-math.minimum(lost, (1.0 - 1e-16)))));
@@ -1849,7 +1850,7 @@ const _power_growth = (r, c, a, n, k) => {
   integrand = (w) => {
     let base, change, distance;
     distance = (start * Math.exp((side * w)));
-    base = (falls ? ((r * r) + (distance * distance)) : (c * c));
+    base = (math.truth(falls) ? ((r * r) + (distance * distance)) : (c * c));
     change = (0.5 * Math.log1p((((start * start) * Math.abs(Math.expm1(((2.0 * side) * w)))) / base)));
     return Math.exp((side * (((n - 2.0) * change) + ((1.0 + k) * w))));
   };
@@ -1887,7 +1888,7 @@ const either = (condition, x, y) => {
   if (Boolean(condition)) {
     return x();
   }
-  return (Boolean(condition) ? (condition ? x() : y()) : y());
+  return (Boolean(condition) ? (math.truth(condition) ? x() : y()) : y());
 };
 
 const _traction_2 = (r, a, c, A, H, k, mu) => {

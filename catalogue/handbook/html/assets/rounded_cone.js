@@ -13,7 +13,7 @@ const math = {
   logical_not: (x) => !x,
   where: (condition, x, y) => (condition ? x : y),
   minimum: (x, y) => (x < y || x !== x ? x : y),
-  maximum: (x, y) => (x > y || x !== x ? x : y),
+  maximum: (x, y = x) => (x > y || x !== x ? x : y),
   clip: (x, low, high) => Math.min(Math.max(x, low), high),
   sqrt: Math.sqrt,
   log: (x) => Math.log(x),
@@ -25,6 +25,7 @@ const math = {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
     return Array.from({ length: Math.max(Math.ceil((stop - start) / step), 0) }, (_, count) => start + step * count);
   },
+  truth: (x) => (Array.isArray(x) ? x.length > 0 : Boolean(x)),
   zip: (x, y) => x.slice(0, y.length).map((value, place) => [value, y[place]]),
   // named fields that are told by their places too
   record: (fields) => Object.assign(Object.values(fields), fields),
@@ -298,8 +299,8 @@ const pressure_integral_beyond = math.in_groups((slope, r, a, b) => {
   let fallen, integrand, outside, reach, stop, within;
   r = ((r === b) ? math.nextafter(b, Infinity) : r);
   within = (r < b);
-  [outside, reach] = [(within ? 0.0 : 1.0), difference_root(a, b)];
-  stop = Math.asinh(((within ? reach : difference_root(a, r)) / Math.sqrt((Math.abs((r - b)) * (r + b)))));
+  [outside, reach] = [(math.truth(within) ? 0.0 : 1.0), difference_root(a, b)];
+  stop = Math.asinh(((math.truth(within) ? reach : difference_root(a, r)) / Math.sqrt((Math.abs((r - b)) * (r + b)))));
   fallen = falling(stop, outside);
   integrand = (v) => {
     let root, t;
@@ -337,7 +338,7 @@ const _pressure = (r, a, theta, b, E_star) => {
           v38 = Math.sqrt(((((v33 > 0.0) || (v33 !== v33)) ? v33 : 0.0) * (a + v24)));
         }
         v45 = Math.asinh((v38 / Math.sqrt((Math.abs((v24 - b)) * (v24 + b)))));
-        v46 = (2.0 * (v25 ? 0.0 : 1.0));
+        v46 = (2.0 * (math.truth(v25) ? 0.0 : 1.0));
         v47 = (1.0 - v46);
         v52 = (v46 - (v47 * Math.expm1(((-2.0) * v45))));
         v54 = ((v52 > 0.0) ? v52 : Infinity);
@@ -671,12 +672,12 @@ const _load_within = (r, a, theta, b, E_star) => {
     v51 = ((r === b) ? math.nextafter(b, Infinity) : r);
     if ((a > (((v51 > b) || (v51 !== v51)) ? v51 : b))) {
       v52 = (v51 < b);
-      v53 = (v52 ? 0.0 : 1.0);
+      v53 = (math.truth(v52) ? 0.0 : 1.0);
       v54 = (a - b);
       v58 = Math.sqrt(((((v54 > 0.0) || (v54 !== v54)) ? v54 : 0.0) * (a + b)));
       v59 = (a - v51);
       v63 = Math.sqrt(((((v59 > 0.0) || (v59 !== v59)) ? v59 : 0.0) * (a + v51)));
-      v71 = Math.asinh(((v52 ? v58 : v63) / Math.sqrt((Math.abs((v51 - b)) * (v51 + b)))));
+      v71 = Math.asinh(((math.truth(v52) ? v58 : v63) / Math.sqrt((Math.abs((v51 - b)) * (v51 + b)))));
       v72 = (2.0 * v53);
       v73 = (1.0 - v72);
       v75 = Math.expm1(((-2.0) * v71));
@@ -746,7 +747,7 @@ const _peak_pressure = (a, theta, b, E_star) => {
           v37 = Math.sqrt(((((v32 > 0.0) || (v32 !== v32)) ? v32 : 0.0) * (a + v23)));
         }
         v44 = Math.asinh((v37 / Math.sqrt((Math.abs((v23 - b)) * (v23 + b)))));
-        v45 = (2.0 * (v24 ? 0.0 : 1.0));
+        v45 = (2.0 * (math.truth(v24) ? 0.0 : 1.0));
         v46 = (1.0 - v45);
         v51 = (v45 - (v46 * Math.expm1(((-2.0) * v44))));
         v53 = ((v51 > 0.0) ? v51 : Infinity);
@@ -883,7 +884,7 @@ const _missed = (value, y) => {
   v3 = ((value - y) / y);
   v6 = (Math.abs(v3) < 0.5);
   if (v6) {
-    return math.log1p((v6 ? v3 : 0.0));
+    return math.log1p((math.truth(v6) ? v3 : 0.0));
   }
   return math.log((value / y));
 };
@@ -904,12 +905,12 @@ const _safe = (position, step, error, exponents, low, high, late) => {
   [from_, to] = [math.maximum(first, low), math.minimum(last, high)];
   met = Number.isFinite((high - low));
   signs = ((from_ > to) | (met & (late >= 0)));
-  middle = (((signs ? low : from_) / 2.0) + ((signs ? high : to) / 2.0));
+  middle = (((math.truth(signs) ? low : from_) / 2.0) + ((math.truth(signs) ? high : to) / 2.0));
   if ((late >= 0)) {
-    aimed = (met ? (position + step) : aimed);
+    aimed = (math.truth(met) ? (position + step) : aimed);
   }
   within = (((low <= aimed) & (aimed <= high)) & ((late < 0) || ((late % 2) === 0)));
-  return ((within ? aimed : middle) - position);
+  return ((math.truth(within) ? aimed : middle) - position);
 };
 
 const _step = (step, before, slope_before, error, slope) => {
@@ -960,8 +961,8 @@ const inverse = (curve, value, start, exponents, largest = Infinity, share = nul
     low = ((error > 0.0) ? math.maximum(low, position) : low);
     high = ((error < 0.0) ? math.minimum(high, position) : high);
     step = _safe(position, step, error, exponents, low, high, (iteration - PATIENCE));
-    position = (left ? (position + step) : position);
-    t = (left ? Math.exp(position) : t);
+    position = (math.truth(left) ? (position + step) : position);
+    t = (math.truth(left) ? Math.exp(position) : t);
     [before, slope_before] = [error, slope];
     [y, slope] = curve(t);
     y = ((y === y) ? y : Infinity);
@@ -985,7 +986,7 @@ const inverse = (curve, value, start, exponents, largest = Infinity, share = nul
 
 const _beyond = (curve, value, base, b, tip, powers, leaving = null) => {
   let excess, small, start, t;
-  small = (leaving ? null : (powers || [2.0])[0]);
+  small = (math.truth(leaving) ? null : (powers || [2.0])[0]);
   excess = (t) => {
     return _excess(t, ...curve((b * Math.sqrt((1.0 + (t * t)))), (b * t)), base, small);
   };
@@ -998,12 +999,12 @@ const inverse_beyond = (curve, value, b, tip, powers = null, leaving = null) => 
   let above, base, high, radius;
   base = curve(b, math.at_break(b))[0];
   above = (value > base);
-  radius = (b * nth_root(((above ? base : value) / base), tip));
+  radius = (b * nth_root(((math.truth(above) ? base : value) / base), tip));
   if ((!Boolean(above))) {
     return radius;
   }
-  high = (above ? value : (2.0 * base));
-  return (above ? _beyond(curve, high, base, b, tip, powers, leaving) : radius);
+  high = (math.truth(above) ? value : (2.0 * base));
+  return (math.truth(above) ? _beyond(curve, high, base, b, tip, powers, leaving) : radius);
 };
 
 const _radius_from_depth = (d, theta, b) => {
@@ -1161,7 +1162,7 @@ const _pressure_2 = (r, a, theta, b, E_star, dgamma) => {
           v39 = Math.sqrt(((((v34 > 0.0) || (v34 !== v34)) ? v34 : 0.0) * (a + v25)));
         }
         v46 = Math.asinh((v39 / Math.sqrt((Math.abs((v25 - b)) * (v25 + b)))));
-        v47 = (2.0 * (v26 ? 0.0 : 1.0));
+        v47 = (2.0 * (math.truth(v26) ? 0.0 : 1.0));
         v48 = (1.0 - v47);
         v53 = (v47 - (v48 * Math.expm1(((-2.0) * v46))));
         v55 = ((v53 > 0.0) ? v53 : Infinity);
@@ -1343,7 +1344,7 @@ const _displacement_of_rounded_cone = (r, a, theta, b, E_star, dgamma) => {
       }
       v175 = (v164 - ((r < b) ? ((v63 / v65) * (r * r)) : (v63 * (r - (b / 2.0)))));
     }
-    return (v175 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (v174 ? (0.6366197723675814 * Math.atan2(a, v23)) : 1.0)));
+    return (v175 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (math.truth(v174) ? (0.6366197723675814 * Math.atan2(a, v23)) : 1.0)));
   }
   return _displacement_2(r, a, theta, b, E_star, dgamma);
 };
@@ -1492,11 +1493,11 @@ const beyond_edge = (b, first = 1.0, last = 1.0) => {
   of = (a) => {
     let t;
     t = (difference_root(a, b) / b);
-    return (plain ? t : power_of(t, first, last));
+    return (math.truth(plain) ? t : power_of(t, first, last));
   };
   back = (x) => {
     let a, slope, t;
-    [t, slope] = (plain ? [x, 1.0] : root_of(x, first, last));
+    [t, slope] = (math.truth(plain) ? [x, 1.0] : root_of(x, first, last));
     a = (b * Math.hypot(1.0, t));
     return [a, ((a * ((t * t) / (1.0 + (t * t)))) / (x * slope))];
   };
@@ -1517,8 +1518,8 @@ const _branch_of = (value, found, load, pulled) => {
     top = (Number.isFinite(last) ? at_the_end(load, last) : Infinity);
     top = (Number.isNaN(top) ? Infinity : top);
     fits = ((value >= (start - ((2.0 * NOISE_of_stable) * (Math.abs(start) + pulled(first))))) & (value <= top));
-    [low, high] = [(fits ? first : low), (fits ? last : high)];
-    [least, largest] = [(fits ? start : least), (fits ? top : largest)];
+    [low, high] = [(math.truth(fits) ? first : low), (math.truth(fits) ? last : high)];
+    [least, largest] = [(math.truth(fits) ? start : least), (math.truth(fits) ? top : largest)];
   }
   return [low, high, least, largest];
 };
@@ -1529,15 +1530,15 @@ const _divided = (value, low, high, least, top, load, corner) => {
   inside = ((low < corner) & math.logical_not((high <= corner)));
   above = (inside & (value > bend));
   below = (inside & math.logical_not(above));
-  [high, top] = [(below ? corner : high), (below ? bend : top)];
-  [low, least] = [(above ? corner : low), (above ? bend : least)];
+  [high, top] = [(math.truth(below) ? corner : high), (math.truth(below) ? bend : top)];
+  [low, least] = [(math.truth(above) ? corner : low), (math.truth(above) ? bend : least)];
   return [low, high, least, top, (low >= corner)];
 };
 
 const _counted = (low, high, beyond, inner, outer) => {
   let first, last, of, place, reach;
   of = (a) => {
-    return ((outer == null) ? inner.of(a) : (beyond ? outer.of((beyond ? a : low)) : inner.of(a)));
+    return ((outer == null) ? inner.of(a) : (math.truth(beyond) ? outer.of((math.truth(beyond) ? a : low)) : inner.of(a)));
   };
   first = of(low);
   last = ((high === Infinity) ? Infinity : of(((high === Infinity) ? low : high)));
@@ -1545,13 +1546,13 @@ const _counted = (low, high, beyond, inner, outer) => {
   place = (t) => {
     let a, open_, own, own_rate, rate, share, step, x;
     open_ = math.logical_not(Number.isFinite(reach));
-    share = (open_ ? 0.0 : (t / reach));
+    share = (math.truth(open_) ? 0.0 : (t / reach));
     x = (first + ((share < Infinity) ? (t / (1.0 + share)) : reach));
     step = (1.0 / Math.pow((1.0 + share), 2));
     [a, rate] = inner.back(x);
     if ((outer != null)) {
-      [own, own_rate] = outer.back((beyond ? x : 1.0));
-      [a, rate] = [(beyond ? own : a), (beyond ? own_rate : rate)];
+      [own, own_rate] = outer.back((math.truth(beyond) ? x : 1.0));
+      [a, rate] = [(math.truth(beyond) ? own : a), (math.truth(beyond) ? own_rate : rate)];
     }
     return [a, (rate * step)];
   };
@@ -1578,7 +1579,7 @@ const stable_radius = (value, found, load, slope_of, pulled, inner, outer = null
   if (((outer == null) && Boolean(ends))) {
     ends = (ends & (slope_of(high) < Infinity));
   }
-  [first, reach, largest, place] = _counted(low, (ends ? high : Infinity), beyond, inner, outer);
+  [first, reach, largest, place] = _counted(low, (math.truth(ends) ? high : Infinity), beyond, inner, outer);
   fixed = (Math.abs(least) + pulled(low));
   parts = (fixed + Math.abs(value));
   least_short = ((4.0 * NOISE_of_stable) * parts);
@@ -1586,30 +1587,30 @@ const stable_radius = (value, found, load, slope_of, pulled, inner, outer = null
     let a, known, lost, more, own, short, slope, step;
     [a, step] = place(t);
     own = load(a);
-    [more, short] = [(own - least), (ends ? math.maximum((top - own), least_short) : 1.0)];
+    [more, short] = [(own - least), (math.truth(ends) ? math.maximum((top - own), least_short) : 1.0)];
     known = (EPS * (fixed + Math.abs(own)));
     lost = (more <= known);
-    more = (lost ? known : more);
-    slope = (((t * step) * slope_of(a)) * ((1.0 / more) + (ends ? (1.0 / short) : 0.0)));
+    more = (math.truth(lost) ? known : more);
+    slope = (((t * step) * slope_of(a)) * ((1.0 / more) + (math.truth(ends) ? (1.0 / short) : 0.0)));
     more = (more / short);
     slope = ((math.logical_not(ends) & (more < (0.5 * wanted))) ? math.maximum(slope, 0.7) : slope);
-    return [more, (lost ? LOST_of_stable : slope)];
+    return [more, (math.truth(lost) ? LOST_of_stable : slope)];
   };
   share = (t) => {
     let a, step;
     [a, step] = place(t);
     return ((t * step) / a);
   };
-  short = (ends ? math.maximum((top - value), least_short) : 1.0);
+  short = (math.truth(ends) ? math.maximum((top - value), least_short) : 1.0);
   wanted = ((value < Infinity) ? (math.maximum((value - least), 0.0) / short) : 0.0);
   far = (ends & (wanted > 1.0));
-  [order, least_unit] = [...['order', 'unit']].map((name) => ((outer == null) ? inner[name] : (beyond ? outer[name] : inner[name])));
-  unit = (far ? reach : math.minimum(math.maximum(first, least_unit), largest));
+  [order, least_unit] = [...['order', 'unit']].map((name) => ((outer == null) ? inner[name] : (math.truth(beyond) ? outer[name] : inner[name])));
+  unit = (math.truth(far) ? reach : math.minimum(math.maximum(first, least_unit), largest));
   [scale, slope] = excess(unit);
   ratio = (wanted / scale);
   start = (unit * Math.pow(ratio, (1.0 / (((ratio > 1.0) & math.logical_not(far)) ? 4.0 : order))));
   start = ((ends & (slope === LOST_of_stable)) ? reach : start);
-  noise = ((NOISE_of_stable * parts) * (ends ? ((1.0 + wanted) / short) : 1.0));
+  noise = ((NOISE_of_stable * parts) * (math.truth(ends) ? ((1.0 + wanted) / short) : 1.0));
   t = inverse(excess, wanted, start, [SLACK, Infinity], largest, share, true, noise);
   a = place(t)[0];
   return (((value === Infinity) & (high === Infinity)) ? Infinity : (Number.isFinite(least) ? a : NaN));
@@ -1724,7 +1725,7 @@ const growth_beyond = math.in_groups((slope, order, r, c, a, b, close) => {
     t = Math.sqrt(((b * b) + (side * side)));
     return ((slope(t, side) * (side / t)) * Math.pow(t, order));
   };
-  return [integrand, (holds ? Math.log1p((gaps / (beyond + root))) : 0.0), 1.0, holds, 0.0];
+  return [integrand, (math.truth(holds) ? Math.log1p((gaps / (beyond + root))) : 0.0), 1.0, holds, 0.0];
 });
 
 const _tangential_force_of_rounded_cone = (a, c, theta, b, E_star, mu) => {
@@ -1810,7 +1811,7 @@ const _tangential_force = (a, c, theta, b, E_star, mu) => {
           } else {
             v127 = 0.0;
           }
-          v133 = Math.log1p((((v113 ? (v116 / (Math.sqrt(((((v17 > 0.0) || (v17 !== v17)) ? v17 : 0.0) * v18)) + v104)) : 0.0) + v127) / (v104 + v109)));
+          v133 = Math.log1p((((math.truth(v113) ? (v116 / (Math.sqrt(((((v17 > 0.0) || (v17 !== v17)) ? v17 : 0.0) * v18)) + v104)) : 0.0) + v127) / (v104 + v109)));
         } else {
           v133 = 0.0;
         }
@@ -1872,7 +1873,7 @@ const _traction = (r, a, c, theta, b, E_star, mu) => {
     v30 = (a - b);
     v34 = Math.sqrt(((((v30 > 0.0) || (v30 !== v30)) ? v30 : 0.0) * (a + b)));
     v45 = Math.sqrt((Math.abs((v26 - b)) * (v26 + b)));
-    v48 = (2.0 * (v27 ? 0.0 : 1.0));
+    v48 = (2.0 * (math.truth(v27) ? 0.0 : 1.0));
     v49 = (1.0 - v48);
     v57 = (((v26 > b) || (v26 !== v26)) ? v26 : b);
     v70 = (b * b);
@@ -1947,7 +1948,7 @@ const _traction = (r, a, c, theta, b, E_star, mu) => {
         v154 = Math.sqrt(((((v150 > 0.0) || (v150 !== v150)) ? v150 : 0.0) * (c + r)));
         if (v169) {
           v155 = (v7 - c);
-          v170 = Math.log1p(((v155 + (v159 ? ((v155 * (v7 + c)) / (Math.sqrt(((((v8 > 0.0) || (v8 !== v8)) ? v8 : 0.0) * v9)) + v154)) : 0.0)) / (c + v154)));
+          v170 = Math.log1p(((v155 + (math.truth(v159) ? ((v155 * (v7 + c)) / (Math.sqrt(((((v8 > 0.0) || (v8 !== v8)) ? v8 : 0.0) * v9)) + v154)) : 0.0)) / (c + v154)));
         } else {
           v170 = 0.0;
         }
@@ -1980,7 +1981,7 @@ const _traction = (r, a, c, theta, b, E_star, mu) => {
           } else {
             v209 = 0.0;
           }
-          v215 = Math.log1p((((v195 ? (v198 / (v34 + v189)) : 0.0) + v209) / (v189 + v194)));
+          v215 = Math.log1p((((math.truth(v195) ? (v198 / (v34 + v189)) : 0.0) + v209) / (v189 + v194)));
         } else {
           v215 = 0.0;
         }
@@ -2094,7 +2095,7 @@ const _tangential_displacement = (a, c, theta, b, E_star, G_star, mu) => {
           } else {
             v110 = 0.0;
           }
-          v116 = Math.log1p((((v96 ? (v99 / (Math.sqrt(((((v12 > 0.0) || (v12 !== v12)) ? v12 : 0.0) * v13)) + v87)) : 0.0) + v110) / (v87 + v92)));
+          v116 = Math.log1p((((math.truth(v96) ? (v99 / (Math.sqrt(((((v12 > 0.0) || (v12 !== v12)) ? v12 : 0.0) * v13)) + v87)) : 0.0) + v110) / (v87 + v92)));
         } else {
           v116 = 0.0;
         }
@@ -2204,7 +2205,7 @@ const sine_over = (y) => {
   let v2;
   v2 = (y > 0.0);
   if (v2) {
-    return (Math.sin(y) / (v2 ? y : 1.0));
+    return (Math.sin(y) / (math.truth(v2) ? y : 1.0));
   }
   return 1.0;
 };
@@ -2418,7 +2419,7 @@ const either = (condition, x, y) => {
   if (Boolean(condition)) {
     return x();
   }
-  return (Boolean(condition) ? (condition ? x() : y()) : y());
+  return (Boolean(condition) ? (math.truth(condition) ? x() : y()) : y());
 };
 
 const rounded_rate = (t, root, b, k) => {
@@ -2466,7 +2467,7 @@ const sinh_over = (v) => {
   let v2;
   v2 = (v > 0.0);
   if (v2) {
-    return (Math.sinh(v) / (v2 ? v : 1.0));
+    return (Math.sinh(v) / (math.truth(v2) ? v : 1.0));
   }
   return 1.0;
 };
@@ -2497,7 +2498,7 @@ const _from_branch = (smooth, scale, reach, k, above = null) => {
 
 const growth_beyond_cap = (slope, r, a, b, k, past = null, bend = Infinity) => {
   let below, cube, first, gaps, inner, outer, reach, scale, start, value, within;
-  gaps = [...[r, a]].map((x) => (past ? past(x) : (x - b)));
+  gaps = [...[r, a]].map((x) => (math.truth(past) ? past(x) : (x - b)));
   [within, scale, reach] = _branches_of_pressure(r, a, b, (2.0 + (2.0 * k)), ...gaps);
   [first, start] = _panel(scale, reach, (_PANEL * math.minimum(1.0, (bend / scale))));
   inner = (root, u) => {
@@ -2626,7 +2627,7 @@ const from_edge = (shape, a, q, c, stop, k, steep = false) => {
     sinh = Math.sinh((half + v));
     return (smooth((half + v), sinh) * Math.pow(sinh, k));
   };
-  longest = (steep ? Infinity : Number(math.maximum((Number.isFinite(stop) ? stop : 0.0))));
+  longest = (math.truth(steep) ? Infinity : Number(math.maximum((Number.isFinite(stop) ? stop : 0.0))));
   for ([length, count] of EDGE) {
     if ((longest <= length)) {
       return ((raised(ratio, k) * raised(stop, k)) * weighted(first, stop, k, count));
@@ -2692,10 +2693,10 @@ const _Gap = (outside, q, even, grown) => math.record({ outside, q, even, grown 
 const _gap_of_displacement = (r, a, k) => {
   let even, outside, q, share;
   outside = (r > a);
-  q = (outside ? difference_root(math.maximum(r, a), a) : a);
-  share = ((1.0 - k) * (outside ? punch_share(r, a, k) : 1.0));
+  q = (math.truth(outside) ? difference_root(math.maximum(r, a), a) : a);
+  share = ((1.0 - k) * (math.truth(outside) ? punch_share(r, a, k) : 1.0));
   even = ((share > 0.0) ? (share * raised((q / a), k)) : 0.0);
-  return _Gap(outside, q, even, ((outside ? punch_scale(k) : 0.0) + (share * raised((a / q), (-k)))));
+  return _Gap(outside, q, even, ((math.truth(outside) ? punch_scale(k) : 0.0) + (share * raised((a / q), (-k)))));
 };
 
 const _weighed = (gap, shape, a) => {
@@ -2841,20 +2842,20 @@ const inverse_across = (curve, value, b, tip, end = null, powers = null) => {
   both = (t) => {
     let inner, more, rate, slope, y;
     inner = math.minimum(t, reach);
-    [y, rate] = curve((above ? (b * Math.sqrt((1.0 + (t * t)))) : radius_at(inner)), (above ? (b * t) : 0.0));
-    [more, slope] = _excess(t, y, rate, base, (powers ? powers[0] : 2.0));
-    return [(above ? more : y), (above ? slope : ((rate / y) * share(inner)))];
+    [y, rate] = curve((math.truth(above) ? (b * Math.sqrt((1.0 + (t * t)))) : radius_at(inner)), (math.truth(above) ? (b * t) : 0.0));
+    [more, slope] = _excess(t, y, rate, base, (math.truth(powers) ? powers[0] : 2.0));
+    return [(math.truth(above) ? more : y), (math.truth(above) ? slope : ((rate / y) * share(inner)))];
   };
   [last, rate] = curve(radius_at(reach), math.zeros_like(b));
-  wanted = (above ? (value - base) : math.minimum(value, last));
-  like = ((above ? last : wanted) / last);
+  wanted = (math.truth(above) ? (value - base) : math.minimum(value, last));
+  like = ((math.truth(above) ? last : wanted) / last);
   start = (reach * ((end == null) ? Math.pow(like, (1.0 / tip)) : joining(like, ((rate / last) * share(reach)), tip, 1.0)));
   if (Boolean(above)) {
-    start = (above ? _start(curve, (above ? wanted : base), base, b, tip, powers) : start);
+    start = (math.truth(above) ? _start(curve, (math.truth(above) ? wanted : base), base, b, tip, powers) : start);
   }
   [least, most] = ((end == null) ? [tip, Infinity] : [1.0, tip]);
-  t = inverse(both, wanted, start, [(above ? 1.0 : least), (above ? Infinity : most)], (above ? Infinity : reach), ((t) => (above ? 1.0 : share(math.minimum(t, reach)))), true, ((above ? NOISE : ROUNDING_of_across) * value));
-  return (above ? (b * Math.sqrt((1.0 + (t * t)))) : math.minimum(b, radius_at(math.minimum(t, reach))));
+  t = inverse(both, wanted, start, [(math.truth(above) ? 1.0 : least), (math.truth(above) ? Infinity : most)], (math.truth(above) ? Infinity : reach), ((t) => (math.truth(above) ? 1.0 : share(math.minimum(t, reach)))), true, ((math.truth(above) ? NOISE : ROUNDING_of_across) * value));
+  return (math.truth(above) ? (b * Math.sqrt((1.0 + (t * t)))) : math.minimum(b, radius_at(math.minimum(t, reach))));
 };
 
 const NEAREST = 1e-12;
@@ -2966,12 +2967,12 @@ const radius_across = (load, rate, value, b, needs, tip, least = null, end = nul
   below = ((end == null) ? radius_itself() : up_to(end, needs.at(-1)));
   radius = (b + math.zeros_like(value));
   if ((!Boolean(above))) {
-    radius = _below(load, rate, (above ? base : value), base, b, needs, below, tip);
+    radius = _below(load, rate, (math.truth(above) ? base : value), base, b, needs, below, tip);
   }
   if ((!Boolean(above))) {
     return radius;
   }
-  return (above ? _beyond_of_inverse(load, rate, (above ? (value - base) : 0.0), base, b, needs, ((least == null) ? 1.0 : least), tip, ...close) : radius);
+  return (math.truth(above) ? _beyond_of_inverse(load, rate, (math.truth(above) ? (value - base) : 0.0), base, b, needs, ((least == null) ? 1.0 : least), tip, ...close) : radius);
 };
 
 const _radius_from_depth_2 = (d, theta, b, k) => {

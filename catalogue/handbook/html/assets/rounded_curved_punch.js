@@ -13,7 +13,7 @@ const math = {
   logical_not: (x) => !x,
   where: (condition, x, y) => (condition ? x : y),
   minimum: (x, y) => (x < y || x !== x ? x : y),
-  maximum: (x, y) => (x > y || x !== x ? x : y),
+  maximum: (x, y = x) => (x > y || x !== x ? x : y),
   clip: (x, low, high) => Math.min(Math.max(x, low), high),
   sqrt: Math.sqrt,
   log: (x) => Math.log(x),
@@ -25,6 +25,7 @@ const math = {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
     return Array.from({ length: Math.max(Math.ceil((stop - start) / step), 0) }, (_, count) => start + step * count);
   },
+  truth: (x) => (Array.isArray(x) ? x.length > 0 : Boolean(x)),
   zip: (x, y) => x.slice(0, y.length).map((value, place) => [value, y[place]]),
   // named fields that are told by their places too
   record: (fields) => Object.assign(Object.values(fields), fields),
@@ -314,8 +315,8 @@ const pressure_integral_beyond = math.in_groups((slope, r, a, b) => {
   let fallen, integrand, outside, reach, stop, within;
   r = ((r === b) ? math.nextafter(b, Infinity) : r);
   within = (r < b);
-  [outside, reach] = [(within ? 0.0 : 1.0), difference_root(a, b)];
-  stop = Math.asinh(((within ? reach : difference_root(a, r)) / Math.sqrt((Math.abs((r - b)) * (r + b)))));
+  [outside, reach] = [(math.truth(within) ? 0.0 : 1.0), difference_root(a, b)];
+  stop = Math.asinh(((math.truth(within) ? reach : difference_root(a, r)) / Math.sqrt((Math.abs((r - b)) * (r + b)))));
   fallen = falling(stop, outside);
   integrand = (v) => {
     let root, t;
@@ -352,7 +353,7 @@ const _pressure = (r, a, R1, R2, b, E_star) => {
           v37 = Math.sqrt(((((v32 > 0.0) || (v32 !== v32)) ? v32 : 0.0) * (a + v23)));
         }
         v44 = Math.asinh((v37 / Math.sqrt((Math.abs((v23 - b)) * (v23 + b)))));
-        v45 = (2.0 * (v24 ? 0.0 : 1.0));
+        v45 = (2.0 * (math.truth(v24) ? 0.0 : 1.0));
         v46 = (1.0 - v45);
         v51 = (v45 - (v46 * Math.expm1(((-2.0) * v44))));
         v53 = ((v51 > 0.0) ? v51 : Infinity);
@@ -745,12 +746,12 @@ const _load_within = (r, a, R1, R2, b, E_star) => {
     v115 = (b / R2);
     if ((a > (((v50 > b) || (v50 !== v50)) ? v50 : b))) {
       v51 = (v50 < b);
-      v52 = (v51 ? 0.0 : 1.0);
+      v52 = (math.truth(v51) ? 0.0 : 1.0);
       v53 = (a - b);
       v57 = Math.sqrt(((((v53 > 0.0) || (v53 !== v53)) ? v53 : 0.0) * (a + b)));
       v58 = (a - v50);
       v62 = Math.sqrt(((((v58 > 0.0) || (v58 !== v58)) ? v58 : 0.0) * (a + v50)));
-      v70 = Math.asinh(((v51 ? v57 : v62) / Math.sqrt((Math.abs((v50 - b)) * (v50 + b)))));
+      v70 = Math.asinh(((math.truth(v51) ? v57 : v62) / Math.sqrt((Math.abs((v50 - b)) * (v50 + b)))));
       v71 = (2.0 * v52);
       v72 = (1.0 - v71);
       v74 = Math.expm1(((-2.0) * v70));
@@ -904,7 +905,7 @@ const _missed = (value, y) => {
   v3 = ((value - y) / y);
   v6 = (Math.abs(v3) < 0.5);
   if (v6) {
-    return math.log1p((v6 ? v3 : 0.0));
+    return math.log1p((math.truth(v6) ? v3 : 0.0));
   }
   return math.log((value / y));
 };
@@ -925,12 +926,12 @@ const _safe = (position, step, error, exponents, low, high, late) => {
   [from_, to] = [math.maximum(first, low), math.minimum(last, high)];
   met = Number.isFinite((high - low));
   signs = ((from_ > to) | (met & (late >= 0)));
-  middle = (((signs ? low : from_) / 2.0) + ((signs ? high : to) / 2.0));
+  middle = (((math.truth(signs) ? low : from_) / 2.0) + ((math.truth(signs) ? high : to) / 2.0));
   if ((late >= 0)) {
-    aimed = (met ? (position + step) : aimed);
+    aimed = (math.truth(met) ? (position + step) : aimed);
   }
   within = (((low <= aimed) & (aimed <= high)) & ((late < 0) || ((late % 2) === 0)));
-  return ((within ? aimed : middle) - position);
+  return ((math.truth(within) ? aimed : middle) - position);
 };
 
 const _step = (step, before, slope_before, error, slope) => {
@@ -981,8 +982,8 @@ const inverse = (curve, value, start, exponents, largest = Infinity, share = nul
     low = ((error > 0.0) ? math.maximum(low, position) : low);
     high = ((error < 0.0) ? math.minimum(high, position) : high);
     step = _safe(position, step, error, exponents, low, high, (iteration - PATIENCE));
-    position = (left ? (position + step) : position);
-    t = (left ? Math.exp(position) : t);
+    position = (math.truth(left) ? (position + step) : position);
+    t = (math.truth(left) ? Math.exp(position) : t);
     [before, slope_before] = [error, slope];
     [y, slope] = curve(t);
     y = ((y === y) ? y : Infinity);
@@ -1006,7 +1007,7 @@ const inverse = (curve, value, start, exponents, largest = Infinity, share = nul
 
 const _beyond = (curve, value, base, b, tip, powers, leaving = null) => {
   let excess, small, start, t;
-  small = (leaving ? null : (powers || [2.0])[0]);
+  small = (math.truth(leaving) ? null : (powers || [2.0])[0]);
   excess = (t) => {
     return _excess(t, ...curve((b * Math.sqrt((1.0 + (t * t)))), (b * t)), base, small);
   };
@@ -1019,12 +1020,12 @@ const inverse_beyond = (curve, value, b, tip, powers = null, leaving = null) => 
   let above, base, high, radius;
   base = curve(b, math.at_break(b))[0];
   above = (value > base);
-  radius = (b * nth_root(((above ? base : value) / base), tip));
+  radius = (b * nth_root(((math.truth(above) ? base : value) / base), tip));
   if ((!Boolean(above))) {
     return radius;
   }
-  high = (above ? value : (2.0 * base));
-  return (above ? _beyond(curve, high, base, b, tip, powers, leaving) : radius);
+  high = (math.truth(above) ? value : (2.0 * base));
+  return (math.truth(above) ? _beyond(curve, high, base, b, tip, powers, leaving) : radius);
 };
 
 const _radius_from_depth = (d, R1, R2, b) => {
@@ -1204,7 +1205,7 @@ const _pressure_2 = (r, a, R1, R2, b, E_star, dgamma) => {
           v38 = Math.sqrt(((((v33 > 0.0) || (v33 !== v33)) ? v33 : 0.0) * (a + v24)));
         }
         v45 = Math.asinh((v38 / Math.sqrt((Math.abs((v24 - b)) * (v24 + b)))));
-        v46 = (2.0 * (v25 ? 0.0 : 1.0));
+        v46 = (2.0 * (math.truth(v25) ? 0.0 : 1.0));
         v47 = (1.0 - v46);
         v52 = (v46 - (v47 * Math.expm1(((-2.0) * v45))));
         v54 = ((v52 > 0.0) ? v52 : Infinity);
@@ -1380,7 +1381,7 @@ const _displacement_of_rounded_curved_punch = (r, a, R1, R2, b, E_star, dgamma) 
       v208 = ((r * r) / (2.0 * R1));
       v216 = (v204 - ((r < b) ? v208 : (v208 + ((v8 * v8) / (2.0 * R2)))));
     }
-    return (v216 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (v215 ? (0.6366197723675814 * Math.atan2(a, v24)) : 1.0)));
+    return (v216 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (math.truth(v215) ? (0.6366197723675814 * Math.atan2(a, v24)) : 1.0)));
   }
   return _displacement_2(r, a, R1, R2, b, E_star, dgamma);
 };
@@ -1529,11 +1530,11 @@ const beyond_edge = (b, first = 1.0, last = 1.0) => {
   of = (a) => {
     let t;
     t = (difference_root(a, b) / b);
-    return (plain ? t : power_of(t, first, last));
+    return (math.truth(plain) ? t : power_of(t, first, last));
   };
   back = (x) => {
     let a, slope, t;
-    [t, slope] = (plain ? [x, 1.0] : root_of(x, first, last));
+    [t, slope] = (math.truth(plain) ? [x, 1.0] : root_of(x, first, last));
     a = (b * Math.hypot(1.0, t));
     return [a, ((a * ((t * t) / (1.0 + (t * t)))) / (x * slope))];
   };
@@ -1554,8 +1555,8 @@ const _branch_of = (value, found, load, pulled) => {
     top = (Number.isFinite(last) ? at_the_end(load, last) : Infinity);
     top = (Number.isNaN(top) ? Infinity : top);
     fits = ((value >= (start - ((2.0 * NOISE_of_stable) * (Math.abs(start) + pulled(first))))) & (value <= top));
-    [low, high] = [(fits ? first : low), (fits ? last : high)];
-    [least, largest] = [(fits ? start : least), (fits ? top : largest)];
+    [low, high] = [(math.truth(fits) ? first : low), (math.truth(fits) ? last : high)];
+    [least, largest] = [(math.truth(fits) ? start : least), (math.truth(fits) ? top : largest)];
   }
   return [low, high, least, largest];
 };
@@ -1566,15 +1567,15 @@ const _divided = (value, low, high, least, top, load, corner) => {
   inside = ((low < corner) & math.logical_not((high <= corner)));
   above = (inside & (value > bend));
   below = (inside & math.logical_not(above));
-  [high, top] = [(below ? corner : high), (below ? bend : top)];
-  [low, least] = [(above ? corner : low), (above ? bend : least)];
+  [high, top] = [(math.truth(below) ? corner : high), (math.truth(below) ? bend : top)];
+  [low, least] = [(math.truth(above) ? corner : low), (math.truth(above) ? bend : least)];
   return [low, high, least, top, (low >= corner)];
 };
 
 const _counted = (low, high, beyond, inner, outer) => {
   let first, last, of, place, reach;
   of = (a) => {
-    return ((outer == null) ? inner.of(a) : (beyond ? outer.of((beyond ? a : low)) : inner.of(a)));
+    return ((outer == null) ? inner.of(a) : (math.truth(beyond) ? outer.of((math.truth(beyond) ? a : low)) : inner.of(a)));
   };
   first = of(low);
   last = ((high === Infinity) ? Infinity : of(((high === Infinity) ? low : high)));
@@ -1582,13 +1583,13 @@ const _counted = (low, high, beyond, inner, outer) => {
   place = (t) => {
     let a, open_, own, own_rate, rate, share, step, x;
     open_ = math.logical_not(Number.isFinite(reach));
-    share = (open_ ? 0.0 : (t / reach));
+    share = (math.truth(open_) ? 0.0 : (t / reach));
     x = (first + ((share < Infinity) ? (t / (1.0 + share)) : reach));
     step = (1.0 / Math.pow((1.0 + share), 2));
     [a, rate] = inner.back(x);
     if ((outer != null)) {
-      [own, own_rate] = outer.back((beyond ? x : 1.0));
-      [a, rate] = [(beyond ? own : a), (beyond ? own_rate : rate)];
+      [own, own_rate] = outer.back((math.truth(beyond) ? x : 1.0));
+      [a, rate] = [(math.truth(beyond) ? own : a), (math.truth(beyond) ? own_rate : rate)];
     }
     return [a, (rate * step)];
   };
@@ -1615,7 +1616,7 @@ const stable_radius = (value, found, load, slope_of, pulled, inner, outer = null
   if (((outer == null) && Boolean(ends))) {
     ends = (ends & (slope_of(high) < Infinity));
   }
-  [first, reach, largest, place] = _counted(low, (ends ? high : Infinity), beyond, inner, outer);
+  [first, reach, largest, place] = _counted(low, (math.truth(ends) ? high : Infinity), beyond, inner, outer);
   fixed = (Math.abs(least) + pulled(low));
   parts = (fixed + Math.abs(value));
   least_short = ((4.0 * NOISE_of_stable) * parts);
@@ -1623,30 +1624,30 @@ const stable_radius = (value, found, load, slope_of, pulled, inner, outer = null
     let a, known, lost, more, own, short, slope, step;
     [a, step] = place(t);
     own = load(a);
-    [more, short] = [(own - least), (ends ? math.maximum((top - own), least_short) : 1.0)];
+    [more, short] = [(own - least), (math.truth(ends) ? math.maximum((top - own), least_short) : 1.0)];
     known = (EPS * (fixed + Math.abs(own)));
     lost = (more <= known);
-    more = (lost ? known : more);
-    slope = (((t * step) * slope_of(a)) * ((1.0 / more) + (ends ? (1.0 / short) : 0.0)));
+    more = (math.truth(lost) ? known : more);
+    slope = (((t * step) * slope_of(a)) * ((1.0 / more) + (math.truth(ends) ? (1.0 / short) : 0.0)));
     more = (more / short);
     slope = ((math.logical_not(ends) & (more < (0.5 * wanted))) ? math.maximum(slope, 0.7) : slope);
-    return [more, (lost ? LOST_of_stable : slope)];
+    return [more, (math.truth(lost) ? LOST_of_stable : slope)];
   };
   share = (t) => {
     let a, step;
     [a, step] = place(t);
     return ((t * step) / a);
   };
-  short = (ends ? math.maximum((top - value), least_short) : 1.0);
+  short = (math.truth(ends) ? math.maximum((top - value), least_short) : 1.0);
   wanted = ((value < Infinity) ? (math.maximum((value - least), 0.0) / short) : 0.0);
   far = (ends & (wanted > 1.0));
-  [order, least_unit] = [...['order', 'unit']].map((name) => ((outer == null) ? inner[name] : (beyond ? outer[name] : inner[name])));
-  unit = (far ? reach : math.minimum(math.maximum(first, least_unit), largest));
+  [order, least_unit] = [...['order', 'unit']].map((name) => ((outer == null) ? inner[name] : (math.truth(beyond) ? outer[name] : inner[name])));
+  unit = (math.truth(far) ? reach : math.minimum(math.maximum(first, least_unit), largest));
   [scale, slope] = excess(unit);
   ratio = (wanted / scale);
   start = (unit * Math.pow(ratio, (1.0 / (((ratio > 1.0) & math.logical_not(far)) ? 4.0 : order))));
   start = ((ends & (slope === LOST_of_stable)) ? reach : start);
-  noise = ((NOISE_of_stable * parts) * (ends ? ((1.0 + wanted) / short) : 1.0));
+  noise = ((NOISE_of_stable * parts) * (math.truth(ends) ? ((1.0 + wanted) / short) : 1.0));
   t = inverse(excess, wanted, start, [SLACK, Infinity], largest, share, true, noise);
   a = place(t)[0];
   return (((value === Infinity) & (high === Infinity)) ? Infinity : (Number.isFinite(least) ? a : NaN));
@@ -1767,7 +1768,7 @@ const growth_beyond = math.in_groups((slope, order, r, c, a, b, close) => {
     t = Math.sqrt(((b * b) + (side * side)));
     return ((slope(t, side) * (side / t)) * Math.pow(t, order));
   };
-  return [integrand, (holds ? Math.log1p((gaps / (beyond + root))) : 0.0), 1.0, holds, 0.0];
+  return [integrand, (math.truth(holds) ? Math.log1p((gaps / (beyond + root))) : 0.0), 1.0, holds, 0.0];
 });
 
 const _tangential_force_of_rounded_curved_punch = (a, c, R1, R2, b, E_star, mu) => {
@@ -1870,7 +1871,7 @@ const _tangential_force = (a, c, R1, R2, b, E_star, mu) => {
           } else {
             v194 = 0.0;
           }
-          v200 = Math.log1p((((v180 ? (v183 / (Math.sqrt(((((v16 > 0.0) || (v16 !== v16)) ? v16 : 0.0) * v17)) + v171)) : 0.0) + v194) / (v171 + v176)));
+          v200 = Math.log1p((((math.truth(v180) ? (v183 / (Math.sqrt(((((v16 > 0.0) || (v16 !== v16)) ? v16 : 0.0) * v17)) + v171)) : 0.0) + v194) / (v171 + v176)));
         } else {
           v200 = 0.0;
         }
@@ -1930,7 +1931,7 @@ const _traction = (r, a, c, R1, R2, b, E_star, mu) => {
     v29 = (a - b);
     v33 = Math.sqrt(((((v29 > 0.0) || (v29 !== v29)) ? v29 : 0.0) * (a + b)));
     v44 = Math.sqrt((Math.abs((v25 - b)) * (v25 + b)));
-    v47 = (2.0 * (v26 ? 0.0 : 1.0));
+    v47 = (2.0 * (math.truth(v26) ? 0.0 : 1.0));
     v48 = (1.0 - v47);
     v56 = (((v25 > b) || (v25 !== v25)) ? v25 : b);
     v69 = (b * b);
@@ -2005,7 +2006,7 @@ const _traction = (r, a, c, R1, R2, b, E_star, mu) => {
         v157 = Math.sqrt(((((v153 > 0.0) || (v153 !== v153)) ? v153 : 0.0) * (c + r)));
         if (v172) {
           v158 = (v8 - c);
-          v173 = Math.log1p(((v158 + (v162 ? ((v158 * (v8 + c)) / (Math.sqrt(((((v9 > 0.0) || (v9 !== v9)) ? v9 : 0.0) * v10)) + v157)) : 0.0)) / (c + v157)));
+          v173 = Math.log1p(((v158 + (math.truth(v162) ? ((v158 * (v8 + c)) / (Math.sqrt(((((v9 > 0.0) || (v9 !== v9)) ? v9 : 0.0) * v10)) + v157)) : 0.0)) / (c + v157)));
         } else {
           v173 = 0.0;
         }
@@ -2037,7 +2038,7 @@ const _traction = (r, a, c, R1, R2, b, E_star, mu) => {
           } else {
             v211 = 0.0;
           }
-          v217 = Math.log1p((((v197 ? (v200 / (v33 + v191)) : 0.0) + v211) / (v191 + v196)));
+          v217 = Math.log1p((((math.truth(v197) ? (v200 / (v33 + v191)) : 0.0) + v211) / (v191 + v196)));
         } else {
           v217 = 0.0;
         }
@@ -2162,7 +2163,7 @@ const _tangential_displacement = (a, c, R1, R2, b, E_star, G_star, mu) => {
           } else {
             v177 = 0.0;
           }
-          v183 = Math.log1p((((v163 ? (v166 / (Math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * v17)) + v154)) : 0.0) + v177) / (v154 + v159)));
+          v183 = Math.log1p((((math.truth(v163) ? (v166 / (Math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * v17)) + v154)) : 0.0) + v177) / (v154 + v159)));
         } else {
           v183 = 0.0;
         }
@@ -2319,7 +2320,7 @@ const sine_over = (y) => {
   let v2;
   v2 = (y > 0.0);
   if (v2) {
-    return (Math.sin(y) / (v2 ? y : 1.0));
+    return (Math.sin(y) / (math.truth(v2) ? y : 1.0));
   }
   return 1.0;
 };
@@ -2447,7 +2448,7 @@ const _tail = (rest, near, m, half, far) => {
     v19 = v7;
   } else {
     v12 = Math.abs(v10);
-    v19 = ((-Math.expm1(((-v12) * v7))) / (v11 ? 1.0 : v12));
+    v19 = ((-Math.expm1(((-v12) * v7))) / (math.truth(v11) ? 1.0 : v12));
   }
   v21 = (near + v7);
   v31 = (0.0 - half);
@@ -2457,7 +2458,7 @@ const _tail = (rest, near, m, half, far) => {
     v42 = v7;
   } else {
     v35 = Math.abs(v33);
-    v42 = ((-Math.expm1(((-v35) * v7))) / (v34 ? 1.0 : v35));
+    v42 = ((-Math.expm1(((-v35) * v7))) / (math.truth(v34) ? 1.0 : v35));
   }
   v56 = ((v31 * (1.0 - half)) / 2.0);
   v58 = (m - 4.0);
@@ -2466,7 +2467,7 @@ const _tail = (rest, near, m, half, far) => {
     v67 = v7;
   } else {
     v60 = Math.abs(v58);
-    v67 = ((-Math.expm1(((-v60) * v7))) / (v59 ? 1.0 : v60));
+    v67 = ((-Math.expm1(((-v60) * v7))) / (math.truth(v59) ? 1.0 : v60));
   }
   v82 = ((v56 * (2.0 - half)) / 3.0);
   v84 = (m - 6.0);
@@ -2475,7 +2476,7 @@ const _tail = (rest, near, m, half, far) => {
     v93 = v7;
   } else {
     v86 = Math.abs(v84);
-    v93 = ((-Math.expm1(((-v86) * v7))) / (v85 ? 1.0 : v86));
+    v93 = ((-Math.expm1(((-v86) * v7))) / (math.truth(v85) ? 1.0 : v86));
   }
   v107 = ((v82 * (3.0 - half)) / 4.0);
   v109 = (m - 8.0);
@@ -2484,7 +2485,7 @@ const _tail = (rest, near, m, half, far) => {
     v118 = v7;
   } else {
     v111 = Math.abs(v109);
-    v118 = ((-Math.expm1(((-v111) * v7))) / (v110 ? 1.0 : v111));
+    v118 = ((-Math.expm1(((-v111) * v7))) / (math.truth(v110) ? 1.0 : v111));
   }
   v133 = ((v107 * (4.0 - half)) / 5.0);
   v135 = (m - 10.0);
@@ -2493,7 +2494,7 @@ const _tail = (rest, near, m, half, far) => {
     v144 = v7;
   } else {
     v137 = Math.abs(v135);
-    v144 = ((-Math.expm1(((-v137) * v7))) / (v136 ? 1.0 : v137));
+    v144 = ((-Math.expm1(((-v137) * v7))) / (math.truth(v136) ? 1.0 : v137));
   }
   v158 = ((v133 * (5.0 - half)) / 6.0);
   v160 = (m - 12.0);
@@ -2502,7 +2503,7 @@ const _tail = (rest, near, m, half, far) => {
     v169 = v7;
   } else {
     v162 = Math.abs(v160);
-    v169 = ((-Math.expm1(((-v162) * v7))) / (v161 ? 1.0 : v162));
+    v169 = ((-Math.expm1(((-v162) * v7))) / (math.truth(v161) ? 1.0 : v162));
   }
   v184 = ((v158 * (6.0 - half)) / 7.0);
   v186 = (m - 14.0);
@@ -2511,7 +2512,7 @@ const _tail = (rest, near, m, half, far) => {
     v195 = v7;
   } else {
     v188 = Math.abs(v186);
-    v195 = ((-Math.expm1(((-v188) * v7))) / (v187 ? 1.0 : v188));
+    v195 = ((-Math.expm1(((-v188) * v7))) / (math.truth(v187) ? 1.0 : v188));
   }
   v209 = ((v184 * (7.0 - half)) / 8.0);
   v211 = (m - 16.0);
@@ -2520,7 +2521,7 @@ const _tail = (rest, near, m, half, far) => {
     v220 = v7;
   } else {
     v213 = Math.abs(v211);
-    v220 = ((-Math.expm1(((-v213) * v7))) / (v212 ? 1.0 : v213));
+    v220 = ((-Math.expm1(((-v213) * v7))) / (math.truth(v212) ? 1.0 : v213));
   }
   v235 = ((v209 * (8.0 - half)) / 9.0);
   v237 = (m - 18.0);
@@ -2529,7 +2530,7 @@ const _tail = (rest, near, m, half, far) => {
     v246 = v7;
   } else {
     v239 = Math.abs(v237);
-    v246 = ((-Math.expm1(((-v239) * v7))) / (v238 ? 1.0 : v239));
+    v246 = ((-Math.expm1(((-v239) * v7))) / (math.truth(v238) ? 1.0 : v239));
   }
   v260 = ((v235 * (9.0 - half)) / 10.0);
   v262 = (m - 20.0);
@@ -2538,7 +2539,7 @@ const _tail = (rest, near, m, half, far) => {
     v271 = v7;
   } else {
     v264 = Math.abs(v262);
-    v271 = ((-Math.expm1(((-v264) * v7))) / (v263 ? 1.0 : v264));
+    v271 = ((-Math.expm1(((-v264) * v7))) / (math.truth(v263) ? 1.0 : v264));
   }
   v286 = ((v260 * (10.0 - half)) / 11.0);
   v288 = (m - 22.0);
@@ -2547,7 +2548,7 @@ const _tail = (rest, near, m, half, far) => {
     v297 = v7;
   } else {
     v290 = Math.abs(v288);
-    v297 = ((-Math.expm1(((-v290) * v7))) / (v289 ? 1.0 : v290));
+    v297 = ((-Math.expm1(((-v290) * v7))) / (math.truth(v289) ? 1.0 : v290));
   }
   v311 = ((v286 * (11.0 - half)) / 12.0);
   v313 = (m - 24.0);
@@ -2556,7 +2557,7 @@ const _tail = (rest, near, m, half, far) => {
     v322 = v7;
   } else {
     v315 = Math.abs(v313);
-    v322 = ((-Math.expm1(((-v315) * v7))) / (v314 ? 1.0 : v315));
+    v322 = ((-Math.expm1(((-v315) * v7))) / (math.truth(v314) ? 1.0 : v315));
   }
   v337 = ((v311 * (12.0 - half)) / 13.0);
   v339 = (m - 26.0);
@@ -2565,7 +2566,7 @@ const _tail = (rest, near, m, half, far) => {
     v348 = v7;
   } else {
     v341 = Math.abs(v339);
-    v348 = ((-Math.expm1(((-v341) * v7))) / (v340 ? 1.0 : v341));
+    v348 = ((-Math.expm1(((-v341) * v7))) / (math.truth(v340) ? 1.0 : v341));
   }
   v362 = ((v337 * (13.0 - half)) / 14.0);
   v364 = (m - 28.0);
@@ -2574,7 +2575,7 @@ const _tail = (rest, near, m, half, far) => {
     v373 = v7;
   } else {
     v366 = Math.abs(v364);
-    v373 = ((-Math.expm1(((-v366) * v7))) / (v365 ? 1.0 : v366));
+    v373 = ((-Math.expm1(((-v366) * v7))) / (math.truth(v365) ? 1.0 : v366));
   }
   v388 = ((v362 * (14.0 - half)) / 15.0);
   v390 = (m - 30.0);
@@ -2583,7 +2584,7 @@ const _tail = (rest, near, m, half, far) => {
     v399 = v7;
   } else {
     v392 = Math.abs(v390);
-    v399 = ((-Math.expm1(((-v392) * v7))) / (v391 ? 1.0 : v392));
+    v399 = ((-Math.expm1(((-v392) * v7))) / (math.truth(v391) ? 1.0 : v392));
   }
   v413 = ((v388 * (15.0 - half)) / 16.0);
   v415 = (m - 32.0);
@@ -2592,7 +2593,7 @@ const _tail = (rest, near, m, half, far) => {
     v424 = v7;
   } else {
     v417 = Math.abs(v415);
-    v424 = ((-Math.expm1(((-v417) * v7))) / (v416 ? 1.0 : v417));
+    v424 = ((-Math.expm1(((-v417) * v7))) / (math.truth(v416) ? 1.0 : v417));
   }
   v439 = ((v413 * (16.0 - half)) / 17.0);
   v441 = (m - 34.0);
@@ -2601,7 +2602,7 @@ const _tail = (rest, near, m, half, far) => {
     v450 = v7;
   } else {
     v443 = Math.abs(v441);
-    v450 = ((-Math.expm1(((-v443) * v7))) / (v442 ? 1.0 : v443));
+    v450 = ((-Math.expm1(((-v443) * v7))) / (math.truth(v442) ? 1.0 : v443));
   }
   v464 = ((v439 * (17.0 - half)) / 18.0);
   v466 = (m - 36.0);
@@ -2610,7 +2611,7 @@ const _tail = (rest, near, m, half, far) => {
     v475 = v7;
   } else {
     v468 = Math.abs(v466);
-    v475 = ((-Math.expm1(((-v468) * v7))) / (v467 ? 1.0 : v468));
+    v475 = ((-Math.expm1(((-v468) * v7))) / (math.truth(v467) ? 1.0 : v468));
   }
   v490 = ((v464 * (18.0 - half)) / 19.0);
   v492 = (m - 38.0);
@@ -2619,7 +2620,7 @@ const _tail = (rest, near, m, half, far) => {
     v501 = v7;
   } else {
     v494 = Math.abs(v492);
-    v501 = ((-Math.expm1(((-v494) * v7))) / (v493 ? 1.0 : v494));
+    v501 = ((-Math.expm1(((-v494) * v7))) / (math.truth(v493) ? 1.0 : v494));
   }
   v512 = ((((((((((((((((((((0.0 + (v19 * ((v10 > 0.0) ? Math.exp(((-0.0) * v21)) : (Math.exp(((-0.0) * near)) * far)))) + ((v31 * v42) * ((v33 > 0.0) ? Math.exp(((-2.0) * v21)) : (Math.exp(((-2.0) * near)) * far)))) + ((v56 * v67) * ((v58 > 0.0) ? Math.exp(((-4.0) * v21)) : (Math.exp(((-4.0) * near)) * far)))) + ((v82 * v93) * ((v84 > 0.0) ? Math.exp(((-6.0) * v21)) : (Math.exp(((-6.0) * near)) * far)))) + ((v107 * v118) * ((v109 > 0.0) ? Math.exp(((-8.0) * v21)) : (Math.exp(((-8.0) * near)) * far)))) + ((v133 * v144) * ((v135 > 0.0) ? Math.exp(((-10.0) * v21)) : (Math.exp(((-10.0) * near)) * far)))) + ((v158 * v169) * ((v160 > 0.0) ? Math.exp(((-12.0) * v21)) : (Math.exp(((-12.0) * near)) * far)))) + ((v184 * v195) * ((v186 > 0.0) ? Math.exp(((-14.0) * v21)) : (Math.exp(((-14.0) * near)) * far)))) + ((v209 * v220) * ((v211 > 0.0) ? Math.exp(((-16.0) * v21)) : (Math.exp(((-16.0) * near)) * far)))) + ((v235 * v246) * ((v237 > 0.0) ? Math.exp(((-18.0) * v21)) : (Math.exp(((-18.0) * near)) * far)))) + ((v260 * v271) * ((v262 > 0.0) ? Math.exp(((-20.0) * v21)) : (Math.exp(((-20.0) * near)) * far)))) + ((v286 * v297) * ((v288 > 0.0) ? Math.exp(((-22.0) * v21)) : (Math.exp(((-22.0) * near)) * far)))) + ((v311 * v322) * ((v313 > 0.0) ? Math.exp(((-24.0) * v21)) : (Math.exp(((-24.0) * near)) * far)))) + ((v337 * v348) * ((v339 > 0.0) ? Math.exp(((-26.0) * v21)) : (Math.exp(((-26.0) * near)) * far)))) + ((v362 * v373) * ((v364 > 0.0) ? Math.exp(((-28.0) * v21)) : (Math.exp(((-28.0) * near)) * far)))) + ((v388 * v399) * ((v390 > 0.0) ? Math.exp(((-30.0) * v21)) : (Math.exp(((-30.0) * near)) * far)))) + ((v413 * v424) * ((v415 > 0.0) ? Math.exp(((-32.0) * v21)) : (Math.exp(((-32.0) * near)) * far)))) + ((v439 * v450) * ((v441 > 0.0) ? Math.exp(((-34.0) * v21)) : (Math.exp(((-34.0) * near)) * far)))) + ((v464 * v475) * ((v466 > 0.0) ? Math.exp(((-36.0) * v21)) : (Math.exp(((-36.0) * near)) * far)))) + ((v490 * v501) * ((v492 > 0.0) ? Math.exp(((-38.0) * v21)) : (Math.exp(((-38.0) * near)) * far))));
   v515 = ((v490 * (19.0 - half)) / 20.0);
@@ -2629,7 +2630,7 @@ const _tail = (rest, near, m, half, far) => {
     v526 = v7;
   } else {
     v519 = Math.abs(v517);
-    v526 = ((-Math.expm1(((-v519) * v7))) / (v518 ? 1.0 : v519));
+    v526 = ((-Math.expm1(((-v519) * v7))) / (math.truth(v518) ? 1.0 : v519));
   }
   v543 = (m - 42.0);
   v544 = (v543 === 0.0);
@@ -2637,7 +2638,7 @@ const _tail = (rest, near, m, half, far) => {
     v552 = v7;
   } else {
     v545 = Math.abs(v543);
-    v552 = ((-Math.expm1(((-v545) * v7))) / (v544 ? 1.0 : v545));
+    v552 = ((-Math.expm1(((-v545) * v7))) / (math.truth(v544) ? 1.0 : v545));
   }
   return ((v512 + ((v515 * v526) * ((v517 > 0.0) ? Math.exp(((-40.0) * v21)) : (Math.exp(((-40.0) * near)) * far)))) + ((((v515 * (20.0 - half)) / 21.0) * v552) * ((v543 > 0.0) ? Math.exp(((-42.0) * v21)) : (Math.exp(((-42.0) * near)) * far))));
 };
@@ -2713,7 +2714,7 @@ const sinh_over = (v) => {
   let v2;
   v2 = (v > 0.0);
   if (v2) {
-    return (Math.sinh(v) / (v2 ? v : 1.0));
+    return (Math.sinh(v) / (math.truth(v2) ? v : 1.0));
   }
   return 1.0;
 };
@@ -2842,7 +2843,7 @@ const from_edge = (shape, a, q, c, stop, k, steep = false) => {
     sinh = Math.sinh((half + v));
     return (smooth((half + v), sinh) * Math.pow(sinh, k));
   };
-  longest = (steep ? Infinity : Number(math.maximum((Number.isFinite(stop) ? stop : 0.0))));
+  longest = (math.truth(steep) ? Infinity : Number(math.maximum((Number.isFinite(stop) ? stop : 0.0))));
   for ([length, count] of EDGE) {
     if ((longest <= length)) {
       return ((raised(ratio, k) * raised(stop, k)) * weighted(first, stop, k, count));
@@ -2914,10 +2915,10 @@ const _Gap = (outside, q, even, grown) => math.record({ outside, q, even, grown 
 const _gap_of_displacement = (r, a, k) => {
   let even, outside, q, share;
   outside = (r > a);
-  q = (outside ? difference_root(math.maximum(r, a), a) : a);
-  share = ((1.0 - k) * (outside ? punch_share(r, a, k) : 1.0));
+  q = (math.truth(outside) ? difference_root(math.maximum(r, a), a) : a);
+  share = ((1.0 - k) * (math.truth(outside) ? punch_share(r, a, k) : 1.0));
   even = ((share > 0.0) ? (share * raised((q / a), k)) : 0.0);
-  return _Gap(outside, q, even, ((outside ? punch_scale(k) : 0.0) + (share * raised((a / q), (-k)))));
+  return _Gap(outside, q, even, ((math.truth(outside) ? punch_scale(k) : 0.0) + (share * raised((a / q), (-k)))));
 };
 
 const _weighed = (gap, shape, a) => {
@@ -3069,20 +3070,20 @@ const inverse_across = (curve, value, b, tip, end = null, powers = null) => {
   both = (t) => {
     let inner, more, rate, slope, y;
     inner = math.minimum(t, reach);
-    [y, rate] = curve((above ? (b * Math.sqrt((1.0 + (t * t)))) : radius_at(inner)), (above ? (b * t) : 0.0));
-    [more, slope] = _excess(t, y, rate, base, (powers ? powers[0] : 2.0));
-    return [(above ? more : y), (above ? slope : ((rate / y) * share(inner)))];
+    [y, rate] = curve((math.truth(above) ? (b * Math.sqrt((1.0 + (t * t)))) : radius_at(inner)), (math.truth(above) ? (b * t) : 0.0));
+    [more, slope] = _excess(t, y, rate, base, (math.truth(powers) ? powers[0] : 2.0));
+    return [(math.truth(above) ? more : y), (math.truth(above) ? slope : ((rate / y) * share(inner)))];
   };
   [last, rate] = curve(radius_at(reach), math.zeros_like(b));
-  wanted = (above ? (value - base) : math.minimum(value, last));
-  like = ((above ? last : wanted) / last);
+  wanted = (math.truth(above) ? (value - base) : math.minimum(value, last));
+  like = ((math.truth(above) ? last : wanted) / last);
   start = (reach * ((end == null) ? Math.pow(like, (1.0 / tip)) : joining(like, ((rate / last) * share(reach)), tip, 1.0)));
   if (Boolean(above)) {
-    start = (above ? _start(curve, (above ? wanted : base), base, b, tip, powers) : start);
+    start = (math.truth(above) ? _start(curve, (math.truth(above) ? wanted : base), base, b, tip, powers) : start);
   }
   [least, most] = ((end == null) ? [tip, Infinity] : [1.0, tip]);
-  t = inverse(both, wanted, start, [(above ? 1.0 : least), (above ? Infinity : most)], (above ? Infinity : reach), ((t) => (above ? 1.0 : share(math.minimum(t, reach)))), true, ((above ? NOISE : ROUNDING_of_across) * value));
-  return (above ? (b * Math.sqrt((1.0 + (t * t)))) : math.minimum(b, radius_at(math.minimum(t, reach))));
+  t = inverse(both, wanted, start, [(math.truth(above) ? 1.0 : least), (math.truth(above) ? Infinity : most)], (math.truth(above) ? Infinity : reach), ((t) => (math.truth(above) ? 1.0 : share(math.minimum(t, reach)))), true, ((math.truth(above) ? NOISE : ROUNDING_of_across) * value));
+  return (math.truth(above) ? (b * Math.sqrt((1.0 + (t * t)))) : math.minimum(b, radius_at(math.minimum(t, reach))));
 };
 
 const NEAREST = 1e-12;
@@ -3194,12 +3195,12 @@ const radius_across = (load, rate, value, b, needs, tip, least = null, end = nul
   below = ((end == null) ? radius_itself() : up_to(end, needs.at(-1)));
   radius = (b + math.zeros_like(value));
   if ((!Boolean(above))) {
-    radius = _below(load, rate, (above ? base : value), base, b, needs, below, tip);
+    radius = _below(load, rate, (math.truth(above) ? base : value), base, b, needs, below, tip);
   }
   if ((!Boolean(above))) {
     return radius;
   }
-  return (above ? _beyond_of_inverse(load, rate, (above ? (value - base) : 0.0), base, b, needs, ((least == null) ? 1.0 : least), tip, ...close) : radius);
+  return (math.truth(above) ? _beyond_of_inverse(load, rate, (math.truth(above) ? (value - base) : 0.0), base, b, needs, ((least == null) ? 1.0 : least), tip, ...close) : radius);
 };
 
 const _radius_from_depth_2 = (d, R1, R2, b, k) => {
@@ -3503,8 +3504,8 @@ const _power_growth = (r, c, a, n, k) => {
   let cut, end, falls, inner, integrand, last, lost, outer, side, start, stop, within;
   [inner, outer] = [difference_root(c, r), difference_root(a, r)];
   falls = ((n + (k - 1.0)) >= 0.0);
-  end = (falls ? a : c);
-  start = (falls ? outer : inner);
+  end = (math.truth(falls) ? a : c);
+  start = (math.truth(falls) ? outer : inner);
   side = (1.0 - (2.0 * falls));
   lost = (Math.pow((a / outer), 2) * (-Math.expm1((((-2.0) * DECAY) / math.maximum((n - 2.0), 0.001)))));
   cut = ((-0.5) * Math.log1p((-math.minimum(lost, (1.0 - 1e-16)))));
@@ -3513,7 +3514,7 @@ const _power_growth = (r, c, a, n, k) => {
   integrand = (w) => {
     let base, change, distance;
     distance = (start * Math.exp((side * w)));
-    base = (falls ? ((r * r) + (distance * distance)) : (c * c));
+    base = (math.truth(falls) ? ((r * r) + (distance * distance)) : (c * c));
     change = (0.5 * Math.log1p((((start * start) * Math.abs(Math.expm1(((2.0 * side) * w)))) / base)));
     return Math.exp((side * (((n - 2.0) * change) + ((1.0 + k) * w))));
   };
@@ -3557,7 +3558,7 @@ const _grown = (quantity, rate, r, c, a, b, k, close) => {
     return (((rate(t, root) * _weight(quantity, t, y, k)) * distance) * (distance / t));
   };
   holds = (close & (start > 0.0));
-  return (holds ? math.integral_in_strip(integrand, (holds ? _span(c, a, start) : 0.0)) : 0.0);
+  return (math.truth(holds) ? math.integral_in_strip(integrand, (math.truth(holds) ? _span(c, a, start) : 0.0)) : 0.0);
 };
 
 const _difference = (quantity, whole, lengths, b, r, c, a, k) => {
@@ -3571,7 +3572,7 @@ const either = (condition, x, y) => {
   if (Boolean(condition)) {
     return x();
   }
-  return (Boolean(condition) ? (condition ? x() : y()) : y());
+  return (Boolean(condition) ? (math.truth(condition) ? x() : y()) : y());
 };
 
 const beyond_gain = (quantity, whole, rate, lengths, r, c, a, k) => {

@@ -13,7 +13,7 @@ const math = {
   logical_not: (x) => !x,
   where: (condition, x, y) => (condition ? x : y),
   minimum: (x, y) => (x < y || x !== x ? x : y),
-  maximum: (x, y) => (x > y || x !== x ? x : y),
+  maximum: (x, y = x) => (x > y || x !== x ? x : y),
   clip: (x, low, high) => Math.min(Math.max(x, low), high),
   sqrt: Math.sqrt,
   log: (x) => Math.log(x),
@@ -25,6 +25,7 @@ const math = {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
     return Array.from({ length: Math.max(Math.ceil((stop - start) / step), 0) }, (_, count) => start + step * count);
   },
+  truth: (x) => (Array.isArray(x) ? x.length > 0 : Boolean(x)),
   zip: (x, y) => x.slice(0, y.length).map((value, place) => [value, y[place]]),
   // named fields that are told by their places too
   record: (fields) => Object.assign(Object.values(fields), fields),
@@ -341,8 +342,8 @@ const pressure_integral_beyond = math.in_groups((slope, r, a, b) => {
   let fallen, integrand, outside, reach, stop, within;
   r = ((r === b) ? math.nextafter(b, Infinity) : r);
   within = (r < b);
-  [outside, reach] = [(within ? 0.0 : 1.0), difference_root(a, b)];
-  stop = Math.asinh(((within ? reach : difference_root(a, r)) / Math.sqrt((Math.abs((r - b)) * (r + b)))));
+  [outside, reach] = [(math.truth(within) ? 0.0 : 1.0), difference_root(a, b)];
+  stop = Math.asinh(((math.truth(within) ? reach : difference_root(a, r)) / Math.sqrt((Math.abs((r - b)) * (r + b)))));
   fallen = falling(stop, outside);
   integrand = (v) => {
     let root, t;
@@ -377,7 +378,7 @@ const _pressure = (r, a, R, b, E_star) => {
             v23 = Math.sqrt(((((v18 > 0.0) || (v18 !== v18)) ? v18 : 0.0) * (a + v8)));
           }
           v30 = Math.asinh((v23 / Math.sqrt((Math.abs((v8 - b)) * (v8 + b)))));
-          v32 = (2.0 * (v9 ? 0.0 : 1.0));
+          v32 = (2.0 * (math.truth(v9) ? 0.0 : 1.0));
           v33 = (1.0 - v32);
           v38 = (v32 - (v33 * Math.expm1(((-2.0) * v30))));
           v40 = ((v38 > 0.0) ? v38 : Infinity);
@@ -656,12 +657,12 @@ const _load_within = (r, a, R, b, E_star) => {
       v8 = ((r === b) ? math.nextafter(b, Infinity) : r);
       if ((a > (((v8 > b) || (v8 !== v8)) ? v8 : b))) {
         v9 = (v8 < b);
-        v12 = (v9 ? 0.0 : 1.0);
+        v12 = (math.truth(v9) ? 0.0 : 1.0);
         v13 = (a - b);
         v17 = Math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * (a + b)));
         v18 = (a - v8);
         v22 = Math.sqrt(((((v18 > 0.0) || (v18 !== v18)) ? v18 : 0.0) * (a + v8)));
-        v30 = Math.asinh(((v9 ? v17 : v22) / Math.sqrt((Math.abs((v8 - b)) * (v8 + b)))));
+        v30 = Math.asinh(((math.truth(v9) ? v17 : v22) / Math.sqrt((Math.abs((v8 - b)) * (v8 + b)))));
         v32 = (2.0 * v12);
         v33 = (1.0 - v32);
         v36 = Math.expm1(((-2.0) * v30));
@@ -889,7 +890,7 @@ const _missed = (value, y) => {
   v3 = ((value - y) / y);
   v6 = (Math.abs(v3) < 0.5);
   if (v6) {
-    return math.log1p((v6 ? v3 : 0.0));
+    return math.log1p((math.truth(v6) ? v3 : 0.0));
   }
   return math.log((value / y));
 };
@@ -912,12 +913,12 @@ const _safe = (position, step, error, exponents, low, high, late) => {
   [from_, to] = [math.maximum(first, low), math.minimum(last, high)];
   met = Number.isFinite((high - low));
   signs = ((from_ > to) | (met & (late >= 0)));
-  middle = (((signs ? low : from_) / 2.0) + ((signs ? high : to) / 2.0));
+  middle = (((math.truth(signs) ? low : from_) / 2.0) + ((math.truth(signs) ? high : to) / 2.0));
   if ((late >= 0)) {
-    aimed = (met ? (position + step) : aimed);
+    aimed = (math.truth(met) ? (position + step) : aimed);
   }
   within = (((low <= aimed) & (aimed <= high)) & ((late < 0) || ((late % 2) === 0)));
-  return ((within ? aimed : middle) - position);
+  return ((math.truth(within) ? aimed : middle) - position);
 };
 
 const _step = (step, before, slope_before, error, slope) => {
@@ -968,8 +969,8 @@ const inverse = (curve, value, start, exponents, largest = Infinity, share = nul
     low = ((error > 0.0) ? math.maximum(low, position) : low);
     high = ((error < 0.0) ? math.minimum(high, position) : high);
     step = _safe(position, step, error, exponents, low, high, (iteration - PATIENCE));
-    position = (left ? (position + step) : position);
-    t = (left ? Math.exp(position) : t);
+    position = (math.truth(left) ? (position + step) : position);
+    t = (math.truth(left) ? Math.exp(position) : t);
     [before, slope_before] = [error, slope];
     [y, slope] = curve(t);
     y = ((y === y) ? y : Infinity);
@@ -1176,7 +1177,7 @@ const _pressure_2 = (r, a, R, b, E_star, dgamma) => {
             v24 = Math.sqrt(((((v19 > 0.0) || (v19 !== v19)) ? v19 : 0.0) * (a + v9)));
           }
           v31 = Math.asinh((v24 / Math.sqrt((Math.abs((v9 - b)) * (v9 + b)))));
-          v33 = (2.0 * (v10 ? 0.0 : 1.0));
+          v33 = (2.0 * (math.truth(v10) ? 0.0 : 1.0));
           v34 = (1.0 - v33);
           v39 = (v33 - (v34 * Math.expm1(((-2.0) * v31))));
           v41 = ((v39 > 0.0) ? v39 : Infinity);
@@ -1326,7 +1327,7 @@ const _displacement_of_rounded_punch = (r, a, R, b, E_star, dgamma) => {
     } else {
       v135 = NaN;
     }
-    return (v135 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (v132 ? (0.6366197723675814 * Math.atan2(a, v22)) : 1.0)));
+    return (v135 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (math.truth(v132) ? (0.6366197723675814 * Math.atan2(a, v22)) : 1.0)));
   }
   return _displacement_2(r, a, R, b, E_star, dgamma);
 };
@@ -1474,11 +1475,11 @@ const beyond_edge = (b, first = 1.0, last = 1.0) => {
   of = (a) => {
     let t;
     t = (difference_root(a, b) / b);
-    return (plain ? t : power_of(t, first, last));
+    return (math.truth(plain) ? t : power_of(t, first, last));
   };
   back = (x) => {
     let a, slope, t;
-    [t, slope] = (plain ? [x, 1.0] : root_of(x, first, last));
+    [t, slope] = (math.truth(plain) ? [x, 1.0] : root_of(x, first, last));
     a = (b * Math.hypot(1.0, t));
     return [a, ((a * ((t * t) / (1.0 + (t * t)))) / (x * slope))];
   };
@@ -1499,8 +1500,8 @@ const _branch_of = (value, found, load, pulled) => {
     top = (Number.isFinite(last) ? at_the_end(load, last) : Infinity);
     top = (Number.isNaN(top) ? Infinity : top);
     fits = ((value >= (start - ((2.0 * NOISE) * (Math.abs(start) + pulled(first))))) & (value <= top));
-    [low, high] = [(fits ? first : low), (fits ? last : high)];
-    [least, largest] = [(fits ? start : least), (fits ? top : largest)];
+    [low, high] = [(math.truth(fits) ? first : low), (math.truth(fits) ? last : high)];
+    [least, largest] = [(math.truth(fits) ? start : least), (math.truth(fits) ? top : largest)];
   }
   return [low, high, least, largest];
 };
@@ -1511,15 +1512,15 @@ const _divided = (value, low, high, least, top, load, corner) => {
   inside = ((low < corner) & math.logical_not((high <= corner)));
   above = (inside & (value > bend));
   below = (inside & math.logical_not(above));
-  [high, top] = [(below ? corner : high), (below ? bend : top)];
-  [low, least] = [(above ? corner : low), (above ? bend : least)];
+  [high, top] = [(math.truth(below) ? corner : high), (math.truth(below) ? bend : top)];
+  [low, least] = [(math.truth(above) ? corner : low), (math.truth(above) ? bend : least)];
   return [low, high, least, top, (low >= corner)];
 };
 
 const _counted = (low, high, beyond, inner, outer) => {
   let first, last, of, place, reach;
   of = (a) => {
-    return ((outer == null) ? inner.of(a) : (beyond ? outer.of((beyond ? a : low)) : inner.of(a)));
+    return ((outer == null) ? inner.of(a) : (math.truth(beyond) ? outer.of((math.truth(beyond) ? a : low)) : inner.of(a)));
   };
   first = of(low);
   last = ((high === Infinity) ? Infinity : of(((high === Infinity) ? low : high)));
@@ -1527,13 +1528,13 @@ const _counted = (low, high, beyond, inner, outer) => {
   place = (t) => {
     let a, open_, own, own_rate, rate, share, step, x;
     open_ = math.logical_not(Number.isFinite(reach));
-    share = (open_ ? 0.0 : (t / reach));
+    share = (math.truth(open_) ? 0.0 : (t / reach));
     x = (first + ((share < Infinity) ? (t / (1.0 + share)) : reach));
     step = (1.0 / Math.pow((1.0 + share), 2));
     [a, rate] = inner.back(x);
     if ((outer != null)) {
-      [own, own_rate] = outer.back((beyond ? x : 1.0));
-      [a, rate] = [(beyond ? own : a), (beyond ? own_rate : rate)];
+      [own, own_rate] = outer.back((math.truth(beyond) ? x : 1.0));
+      [a, rate] = [(math.truth(beyond) ? own : a), (math.truth(beyond) ? own_rate : rate)];
     }
     return [a, (rate * step)];
   };
@@ -1560,7 +1561,7 @@ const stable_radius = (value, found, load, slope_of, pulled, inner, outer = null
   if (((outer == null) && Boolean(ends))) {
     ends = (ends & (slope_of(high) < Infinity));
   }
-  [first, reach, largest, place] = _counted(low, (ends ? high : Infinity), beyond, inner, outer);
+  [first, reach, largest, place] = _counted(low, (math.truth(ends) ? high : Infinity), beyond, inner, outer);
   fixed = (Math.abs(least) + pulled(low));
   parts = (fixed + Math.abs(value));
   least_short = ((4.0 * NOISE) * parts);
@@ -1568,30 +1569,30 @@ const stable_radius = (value, found, load, slope_of, pulled, inner, outer = null
     let a, known, lost, more, own, short, slope, step;
     [a, step] = place(t);
     own = load(a);
-    [more, short] = [(own - least), (ends ? math.maximum((top - own), least_short) : 1.0)];
+    [more, short] = [(own - least), (math.truth(ends) ? math.maximum((top - own), least_short) : 1.0)];
     known = (EPS * (fixed + Math.abs(own)));
     lost = (more <= known);
-    more = (lost ? known : more);
-    slope = (((t * step) * slope_of(a)) * ((1.0 / more) + (ends ? (1.0 / short) : 0.0)));
+    more = (math.truth(lost) ? known : more);
+    slope = (((t * step) * slope_of(a)) * ((1.0 / more) + (math.truth(ends) ? (1.0 / short) : 0.0)));
     more = (more / short);
     slope = ((math.logical_not(ends) & (more < (0.5 * wanted))) ? math.maximum(slope, 0.7) : slope);
-    return [more, (lost ? LOST : slope)];
+    return [more, (math.truth(lost) ? LOST : slope)];
   };
   share = (t) => {
     let a, step;
     [a, step] = place(t);
     return ((t * step) / a);
   };
-  short = (ends ? math.maximum((top - value), least_short) : 1.0);
+  short = (math.truth(ends) ? math.maximum((top - value), least_short) : 1.0);
   wanted = ((value < Infinity) ? (math.maximum((value - least), 0.0) / short) : 0.0);
   far = (ends & (wanted > 1.0));
-  [order, least_unit] = [...['order', 'unit']].map((name) => ((outer == null) ? inner[name] : (beyond ? outer[name] : inner[name])));
-  unit = (far ? reach : math.minimum(math.maximum(first, least_unit), largest));
+  [order, least_unit] = [...['order', 'unit']].map((name) => ((outer == null) ? inner[name] : (math.truth(beyond) ? outer[name] : inner[name])));
+  unit = (math.truth(far) ? reach : math.minimum(math.maximum(first, least_unit), largest));
   [scale, slope] = excess(unit);
   ratio = (wanted / scale);
   start = (unit * Math.pow(ratio, (1.0 / (((ratio > 1.0) & math.logical_not(far)) ? 4.0 : order))));
   start = ((ends & (slope === LOST)) ? reach : start);
-  noise = ((NOISE * parts) * (ends ? ((1.0 + wanted) / short) : 1.0));
+  noise = ((NOISE * parts) * (math.truth(ends) ? ((1.0 + wanted) / short) : 1.0));
   t = inverse(excess, wanted, start, [SLACK, Infinity], largest, share, true, noise);
   a = place(t)[0];
   return (((value === Infinity) & (high === Infinity)) ? Infinity : (Number.isFinite(least) ? a : NaN));
@@ -1693,7 +1694,7 @@ const growth_beyond = math.in_groups((slope, order, r, c, a, b, close) => {
     t = Math.sqrt(((b * b) + (side * side)));
     return ((slope(t, side) * (side / t)) * Math.pow(t, order));
   };
-  return [integrand, (holds ? Math.log1p((gaps / (beyond + root))) : 0.0), 1.0, holds, 0.0];
+  return [integrand, (math.truth(holds) ? Math.log1p((gaps / (beyond + root))) : 0.0), 1.0, holds, 0.0];
 });
 
 const _tangential_force_of_rounded_punch = (a, c, R, b, E_star, mu) => {
@@ -1749,7 +1750,7 @@ const _tangential_force = (a, c, R, b, E_star, mu) => {
           } else {
             v139 = 0.0;
           }
-          v145 = Math.log1p((((v125 ? (v128 / (Math.sqrt(((((v6 > 0.0) || (v6 !== v6)) ? v6 : 0.0) * v7)) + v116)) : 0.0) + v139) / (v116 + v121)));
+          v145 = Math.log1p((((math.truth(v125) ? (v128 / (Math.sqrt(((((v6 > 0.0) || (v6 !== v6)) ? v6 : 0.0) * v7)) + v116)) : 0.0) + v139) / (v116 + v121)));
         } else {
           v145 = 0.0;
         }
@@ -1807,7 +1808,7 @@ const _traction = (r, a, c, R, b, E_star, mu) => {
     v15 = (a - b);
     v19 = Math.sqrt(((((v15 > 0.0) || (v15 !== v15)) ? v15 : 0.0) * (a + b)));
     v30 = Math.sqrt((Math.abs((v10 - b)) * (v10 + b)));
-    v34 = (2.0 * (v11 ? 0.0 : 1.0));
+    v34 = (2.0 * (math.truth(v11) ? 0.0 : 1.0));
     v35 = (1.0 - v34);
     v43 = (((v10 > b) || (v10 !== v10)) ? v10 : b);
     v56 = (b * b);
@@ -1898,7 +1899,7 @@ const _traction = (r, a, c, R, b, E_star, mu) => {
           } else {
             v155 = 0.0;
           }
-          v161 = Math.log1p((((v141 ? (v144 / (v19 + v135)) : 0.0) + v155) / (v135 + v140)));
+          v161 = Math.log1p((((math.truth(v141) ? (v144 / (v19 + v135)) : 0.0) + v155) / (v135 + v140)));
         } else {
           v161 = 0.0;
         }
@@ -1986,7 +1987,7 @@ const _tangential_displacement = (a, c, R, b, E_star, G_star, mu) => {
           } else {
             v127 = 0.0;
           }
-          v133 = Math.log1p((((v113 ? (v116 / (Math.sqrt(((((v9 > 0.0) || (v9 !== v9)) ? v9 : 0.0) * v13)) + v104)) : 0.0) + v127) / (v104 + v109)));
+          v133 = Math.log1p((((math.truth(v113) ? (v116 / (Math.sqrt(((((v9 > 0.0) || (v9 !== v9)) ? v9 : 0.0) * v13)) + v104)) : 0.0) + v127) / (v104 + v109)));
         } else {
           v133 = 0.0;
         }
@@ -2086,7 +2087,7 @@ const sine_over = (y) => {
   let v2;
   v2 = (y > 0.0);
   if (v2) {
-    return (Math.sin(y) / (v2 ? y : 1.0));
+    return (Math.sin(y) / (math.truth(v2) ? y : 1.0));
   }
   return 1.0;
 };
@@ -2211,7 +2212,7 @@ const sinh_over = (v) => {
   let v2;
   v2 = (v > 0.0);
   if (v2) {
-    return (Math.sinh(v) / (v2 ? v : 1.0));
+    return (Math.sinh(v) / (math.truth(v2) ? v : 1.0));
   }
   return 1.0;
 };
@@ -2336,7 +2337,7 @@ const from_edge = (shape, a, q, c, stop, k, steep = false) => {
     sinh = Math.sinh((half + v));
     return (smooth((half + v), sinh) * Math.pow(sinh, k));
   };
-  longest = (steep ? Infinity : Number(math.maximum((Number.isFinite(stop) ? stop : 0.0))));
+  longest = (math.truth(steep) ? Infinity : Number(math.maximum((Number.isFinite(stop) ? stop : 0.0))));
   for ([length, count] of EDGE) {
     if ((longest <= length)) {
       return ((raised(ratio, k) * raised(stop, k)) * weighted(first, stop, k, count));
@@ -2358,10 +2359,10 @@ const _Gap = (outside, q, even, grown) => math.record({ outside, q, even, grown 
 const _gap_of_displacement = (r, a, k) => {
   let even, outside, q, share;
   outside = (r > a);
-  q = (outside ? difference_root(math.maximum(r, a), a) : a);
-  share = ((1.0 - k) * (outside ? punch_share(r, a, k) : 1.0));
+  q = (math.truth(outside) ? difference_root(math.maximum(r, a), a) : a);
+  share = ((1.0 - k) * (math.truth(outside) ? punch_share(r, a, k) : 1.0));
   even = ((share > 0.0) ? (share * raised((q / a), k)) : 0.0);
-  return _Gap(outside, q, even, ((outside ? punch_scale(k) : 0.0) + (share * raised((a / q), (-k)))));
+  return _Gap(outside, q, even, ((math.truth(outside) ? punch_scale(k) : 0.0) + (share * raised((a / q), (-k)))));
 };
 
 const _weighed = (gap, shape, a) => {
@@ -2843,7 +2844,7 @@ const _grown = (quantity, rate, r, c, a, b, k, close) => {
     return (((rate(t, root) * _weight(quantity, t, y, k)) * distance) * (distance / t));
   };
   holds = (close & (start > 0.0));
-  return (holds ? math.integral_in_strip(integrand, (holds ? _span(c, a, start) : 0.0)) : 0.0);
+  return (math.truth(holds) ? math.integral_in_strip(integrand, (math.truth(holds) ? _span(c, a, start) : 0.0)) : 0.0);
 };
 
 const _difference = (quantity, whole, lengths, b, r, c, a, k) => {
@@ -2857,7 +2858,7 @@ const either = (condition, x, y) => {
   if (Boolean(condition)) {
     return x();
   }
-  return (Boolean(condition) ? (condition ? x() : y()) : y());
+  return (Boolean(condition) ? (math.truth(condition) ? x() : y()) : y());
 };
 
 const beyond_gain = (quantity, whole, rate, lengths, r, c, a, k) => {

@@ -13,7 +13,7 @@ const math = {
   logical_not: (x) => !x,
   where: (condition, x, y) => (condition ? x : y),
   minimum: (x, y) => (x < y || x !== x ? x : y),
-  maximum: (x, y) => (x > y || x !== x ? x : y),
+  maximum: (x, y = x) => (x > y || x !== x ? x : y),
   clip: (x, low, high) => Math.min(Math.max(x, low), high),
   sqrt: Math.sqrt,
   log: (x) => Math.log(x),
@@ -25,6 +25,7 @@ const math = {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
     return Array.from({ length: Math.max(Math.ceil((stop - start) / step), 0) }, (_, count) => start + step * count);
   },
+  truth: (x) => (Array.isArray(x) ? x.length > 0 : Boolean(x)),
   zip: (x, y) => x.slice(0, y.length).map((value, place) => [value, y[place]]),
   // named fields that are told by their places too
   record: (fields) => Object.assign(Object.values(fields), fields),
@@ -358,7 +359,7 @@ const arc_strips = (r, a, R) => {
   if ((!Boolean(beyond))) {
     return near;
   }
-  return (beyond ? pressure_integral_tanh(_arc_rate, [], r, a, R) : near);
+  return (math.truth(beyond) ? pressure_integral_tanh(_arc_rate, [], r, a, R) : near);
 };
 
 const _slope_beyond = (t, root, R, theta) => {
@@ -373,8 +374,8 @@ const pressure_integral_beyond = math.in_groups((slope, r, a, b) => {
   let fallen, integrand, outside, reach, stop, within;
   r = ((r === b) ? math.nextafter(b, Infinity) : r);
   within = (r < b);
-  [outside, reach] = [(within ? 0.0 : 1.0), difference_root(a, b)];
-  stop = Math.asinh(((within ? reach : difference_root(a, r)) / Math.sqrt((Math.abs((r - b)) * (r + b)))));
+  [outside, reach] = [(math.truth(within) ? 0.0 : 1.0), difference_root(a, b)];
+  stop = Math.asinh(((math.truth(within) ? reach : difference_root(a, r)) / Math.sqrt((Math.abs((r - b)) * (r + b)))));
   fallen = falling(stop, outside);
   integrand = (v) => {
     let root, t;
@@ -457,7 +458,7 @@ const _pressure = (r, a, R, theta, E_star) => {
           v170 = Math.sqrt(((((v165 > 0.0) || (v165 !== v165)) ? v165 : 0.0) * (a + v157)));
         }
         v177 = Math.asinh((v170 / Math.sqrt((Math.abs((v157 - v6)) * (v157 + v6)))));
-        v178 = (2.0 * (v158 ? 0.0 : 1.0));
+        v178 = (2.0 * (math.truth(v158) ? 0.0 : 1.0));
         v179 = (1.0 - v178);
         v184 = (v178 - (v179 * Math.expm1(((-2.0) * v177))));
         v186 = ((v184 > 0.0) ? v184 : Infinity);
@@ -800,7 +801,7 @@ const _energy = (a, R, theta, E_star) => {
     if ((a < v5)) {
       v42 = (a * (Math.log1p(((2.0 * a) / v10)) / 2.0));
     } else {
-      v17 = (v8 ? (v9 - (v10 * (R + a))) : (v14 * v15));
+      v17 = (math.truth(v8) ? (v9 - (v10 * (R + a))) : (v14 * v15));
       v20 = Math.sqrt((((v17 > 0.0) || (v17 !== v17)) ? v17 : 0.0));
       v42 = (a * (Math.log1p((((v23 / (v20 + a)) + v27) / (v20 + v7))) + ((v5 * Math.atan2(v20, v5)) / v7)));
     }
@@ -818,7 +819,7 @@ const _energy = (a, R, theta, E_star) => {
       if ((v67 < v5)) {
         v95 = (v67 * (Math.log1p(((2.0 * v67) / v68)) / 2.0));
       } else {
-        v75 = (v8 ? (v9 - (v68 * (R + v67))) : ((v67 - v5) * (v67 + v5)));
+        v75 = (math.truth(v8) ? (v9 - (v68 * (R + v67))) : ((v67 - v5) * (v67 + v5)));
         v77 = Math.sqrt((((v75 > 0.0) || (v75 !== v75)) ? v75 : 0.0));
         v95 = (v67 * (Math.log1p((((v23 / (v77 + v67)) + v27) / (v77 + v7))) + ((v5 * Math.atan2(v77, v5)) / v7)));
       }
@@ -941,7 +942,7 @@ const _load_within = (r, a, R, theta, E_star) => {
       v79 = (math.fsum(v79) * v28);
       v81 = (v37 * v79);
     } else {
-      v81 = (v38 ? Infinity : 0.0);
+      v81 = (math.truth(v38) ? Infinity : 0.0);
     }
     v85 = (1.0 - ((2.0 * theta) / 3.141592653589793));
     v88 = ((r === v6) ? math.nextafter(v6, Infinity) : r);
@@ -953,12 +954,12 @@ const _load_within = (r, a, R, theta, E_star) => {
     v163 = (v148 * v148);
     if ((a > (((v88 > v6) || (v88 !== v88)) ? v88 : v6))) {
       v89 = (v88 < v6);
-      v90 = (v89 ? 0.0 : 1.0);
+      v90 = (math.truth(v89) ? 0.0 : 1.0);
       v91 = (a - v6);
       v95 = Math.sqrt(((((v91 > 0.0) || (v91 !== v91)) ? v91 : 0.0) * (a + v6)));
       v96 = (a - v88);
       v100 = Math.sqrt(((((v96 > 0.0) || (v96 !== v96)) ? v96 : 0.0) * (a + v88)));
-      v108 = Math.asinh(((v89 ? v95 : v100) / Math.sqrt((Math.abs((v88 - v6)) * (v88 + v6)))));
+      v108 = Math.asinh(((math.truth(v89) ? v95 : v100) / Math.sqrt((Math.abs((v88 - v6)) * (v88 + v6)))));
       v109 = (2.0 * v90);
       v110 = (1.0 - v109);
       v112 = Math.expm1(((-2.0) * v108));
@@ -1117,7 +1118,7 @@ const _missed = (value, y) => {
   v3 = ((value - y) / y);
   v6 = (Math.abs(v3) < 0.5);
   if (v6) {
-    return math.log1p((v6 ? v3 : 0.0));
+    return math.log1p((math.truth(v6) ? v3 : 0.0));
   }
   return math.log((value / y));
 };
@@ -1138,12 +1139,12 @@ const _safe = (position, step, error, exponents, low, high, late) => {
   [from_, to] = [math.maximum(first, low), math.minimum(last, high)];
   met = Number.isFinite((high - low));
   signs = ((from_ > to) | (met & (late >= 0)));
-  middle = (((signs ? low : from_) / 2.0) + ((signs ? high : to) / 2.0));
+  middle = (((math.truth(signs) ? low : from_) / 2.0) + ((math.truth(signs) ? high : to) / 2.0));
   if ((late >= 0)) {
-    aimed = (met ? (position + step) : aimed);
+    aimed = (math.truth(met) ? (position + step) : aimed);
   }
   within = (((low <= aimed) & (aimed <= high)) & ((late < 0) || ((late % 2) === 0)));
-  return ((within ? aimed : middle) - position);
+  return ((math.truth(within) ? aimed : middle) - position);
 };
 
 const _step = (step, before, slope_before, error, slope) => {
@@ -1194,8 +1195,8 @@ const inverse = (curve, value, start, exponents, largest = Infinity, share = nul
     low = ((error > 0.0) ? math.maximum(low, position) : low);
     high = ((error < 0.0) ? math.minimum(high, position) : high);
     step = _safe(position, step, error, exponents, low, high, (iteration - PATIENCE));
-    position = (left ? (position + step) : position);
-    t = (left ? Math.exp(position) : t);
+    position = (math.truth(left) ? (position + step) : position);
+    t = (math.truth(left) ? Math.exp(position) : t);
     [before, slope_before] = [error, slope];
     [y, slope] = curve(t);
     y = ((y === y) ? y : Infinity);
@@ -1219,7 +1220,7 @@ const inverse = (curve, value, start, exponents, largest = Infinity, share = nul
 
 const _beyond = (curve, value, base, b, tip, powers, leaving = null) => {
   let excess, small, start, t;
-  small = (leaving ? null : (powers || [2.0])[0]);
+  small = (math.truth(leaving) ? null : (powers || [2.0])[0]);
   excess = (t) => {
     return _excess(t, ...curve((b * Math.sqrt((1.0 + (t * t)))), (b * t)), base, small);
   };
@@ -1250,20 +1251,20 @@ const inverse_across = (curve, value, b, tip, end = null, powers = null) => {
   both = (t) => {
     let inner, more, rate, slope, y;
     inner = math.minimum(t, reach);
-    [y, rate] = curve((above ? (b * Math.sqrt((1.0 + (t * t)))) : radius_at(inner)), (above ? (b * t) : 0.0));
-    [more, slope] = _excess(t, y, rate, base, (powers ? powers[0] : 2.0));
-    return [(above ? more : y), (above ? slope : ((rate / y) * share(inner)))];
+    [y, rate] = curve((math.truth(above) ? (b * Math.sqrt((1.0 + (t * t)))) : radius_at(inner)), (math.truth(above) ? (b * t) : 0.0));
+    [more, slope] = _excess(t, y, rate, base, (math.truth(powers) ? powers[0] : 2.0));
+    return [(math.truth(above) ? more : y), (math.truth(above) ? slope : ((rate / y) * share(inner)))];
   };
   [last, rate] = curve(radius_at(reach), math.zeros_like(b));
-  wanted = (above ? (value - base) : math.minimum(value, last));
-  like = ((above ? last : wanted) / last);
+  wanted = (math.truth(above) ? (value - base) : math.minimum(value, last));
+  like = ((math.truth(above) ? last : wanted) / last);
   start = (reach * ((end == null) ? Math.pow(like, (1.0 / tip)) : joining(like, ((rate / last) * share(reach)), tip, 1.0)));
   if (Boolean(above)) {
-    start = (above ? _start(curve, (above ? wanted : base), base, b, tip, powers) : start);
+    start = (math.truth(above) ? _start(curve, (math.truth(above) ? wanted : base), base, b, tip, powers) : start);
   }
   [least, most] = ((end == null) ? [tip, Infinity] : [1.0, tip]);
-  t = inverse(both, wanted, start, [(above ? 1.0 : least), (above ? Infinity : most)], (above ? Infinity : reach), ((t) => (above ? 1.0 : share(math.minimum(t, reach)))), true, ((above ? NOISE : ROUNDING_of_across) * value));
-  return (above ? (b * Math.sqrt((1.0 + (t * t)))) : math.minimum(b, radius_at(math.minimum(t, reach))));
+  t = inverse(both, wanted, start, [(math.truth(above) ? 1.0 : least), (math.truth(above) ? Infinity : most)], (math.truth(above) ? Infinity : reach), ((t) => (math.truth(above) ? 1.0 : share(math.minimum(t, reach)))), true, ((math.truth(above) ? NOISE : ROUNDING_of_across) * value));
+  return (math.truth(above) ? (b * Math.sqrt((1.0 + (t * t)))) : math.minimum(b, radius_at(math.minimum(t, reach))));
 };
 
 const _radius_from_depth = (d, R, theta) => {
@@ -1530,7 +1531,7 @@ const _pressure_2 = (r, a, R, theta, E_star, dgamma) => {
           v171 = Math.sqrt(((((v166 > 0.0) || (v166 !== v166)) ? v166 : 0.0) * (a + v158)));
         }
         v178 = Math.asinh((v171 / Math.sqrt((Math.abs((v158 - v7)) * (v158 + v7)))));
-        v179 = (2.0 * (v159 ? 0.0 : 1.0));
+        v179 = (2.0 * (math.truth(v159) ? 0.0 : 1.0));
         v180 = (1.0 - v179);
         v185 = (v179 - (v180 * Math.expm1(((-2.0) * v178))));
         v187 = ((v185 > 0.0) ? v185 : Infinity);
@@ -1740,7 +1741,7 @@ const _displacement_of_sphere_tipped_cone = (r, a, R, theta, E_star, dgamma) => 
       }
       v203 = (v189 - ((r < v7) ? ((r * r) / (Math.sqrt((v53 * v45)) + R)) : (v7 * ((v77 / v128) + (v7 / v133)))));
     }
-    return (v203 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (v202 ? (0.6366197723675814 * Math.atan2(a, v92)) : 1.0)));
+    return (v203 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (math.truth(v202) ? (0.6366197723675814 * Math.atan2(a, v92)) : 1.0)));
   }
   return _displacement_2(r, a, R, theta, E_star, dgamma);
 };
@@ -1908,11 +1909,11 @@ const beyond_edge = (b, first = 1.0, last = 1.0) => {
   of = (a) => {
     let t;
     t = (difference_root(a, b) / b);
-    return (plain ? t : power_of(t, first, last));
+    return (math.truth(plain) ? t : power_of(t, first, last));
   };
   back = (x) => {
     let a, slope, t;
-    [t, slope] = (plain ? [x, 1.0] : root_of(x, first, last));
+    [t, slope] = (math.truth(plain) ? [x, 1.0] : root_of(x, first, last));
     a = (b * Math.hypot(1.0, t));
     return [a, ((a * ((t * t) / (1.0 + (t * t)))) / (x * slope))];
   };
@@ -1933,8 +1934,8 @@ const _branch_of = (value, found, load, pulled) => {
     top = (Number.isFinite(last) ? at_the_end(load, last) : Infinity);
     top = (Number.isNaN(top) ? Infinity : top);
     fits = ((value >= (start - ((2.0 * NOISE_of_stable) * (Math.abs(start) + pulled(first))))) & (value <= top));
-    [low, high] = [(fits ? first : low), (fits ? last : high)];
-    [least, largest] = [(fits ? start : least), (fits ? top : largest)];
+    [low, high] = [(math.truth(fits) ? first : low), (math.truth(fits) ? last : high)];
+    [least, largest] = [(math.truth(fits) ? start : least), (math.truth(fits) ? top : largest)];
   }
   return [low, high, least, largest];
 };
@@ -1945,15 +1946,15 @@ const _divided = (value, low, high, least, top, load, corner) => {
   inside = ((low < corner) & math.logical_not((high <= corner)));
   above = (inside & (value > bend));
   below = (inside & math.logical_not(above));
-  [high, top] = [(below ? corner : high), (below ? bend : top)];
-  [low, least] = [(above ? corner : low), (above ? bend : least)];
+  [high, top] = [(math.truth(below) ? corner : high), (math.truth(below) ? bend : top)];
+  [low, least] = [(math.truth(above) ? corner : low), (math.truth(above) ? bend : least)];
   return [low, high, least, top, (low >= corner)];
 };
 
 const _counted = (low, high, beyond, inner, outer) => {
   let first, last, of, place, reach;
   of = (a) => {
-    return ((outer == null) ? inner.of(a) : (beyond ? outer.of((beyond ? a : low)) : inner.of(a)));
+    return ((outer == null) ? inner.of(a) : (math.truth(beyond) ? outer.of((math.truth(beyond) ? a : low)) : inner.of(a)));
   };
   first = of(low);
   last = ((high === Infinity) ? Infinity : of(((high === Infinity) ? low : high)));
@@ -1961,13 +1962,13 @@ const _counted = (low, high, beyond, inner, outer) => {
   place = (t) => {
     let a, open_, own, own_rate, rate, share, step, x;
     open_ = math.logical_not(Number.isFinite(reach));
-    share = (open_ ? 0.0 : (t / reach));
+    share = (math.truth(open_) ? 0.0 : (t / reach));
     x = (first + ((share < Infinity) ? (t / (1.0 + share)) : reach));
     step = (1.0 / Math.pow((1.0 + share), 2));
     [a, rate] = inner.back(x);
     if ((outer != null)) {
-      [own, own_rate] = outer.back((beyond ? x : 1.0));
-      [a, rate] = [(beyond ? own : a), (beyond ? own_rate : rate)];
+      [own, own_rate] = outer.back((math.truth(beyond) ? x : 1.0));
+      [a, rate] = [(math.truth(beyond) ? own : a), (math.truth(beyond) ? own_rate : rate)];
     }
     return [a, (rate * step)];
   };
@@ -1994,7 +1995,7 @@ const stable_radius = (value, found, load, slope_of, pulled, inner, outer = null
   if (((outer == null) && Boolean(ends))) {
     ends = (ends & (slope_of(high) < Infinity));
   }
-  [first, reach, largest, place] = _counted(low, (ends ? high : Infinity), beyond, inner, outer);
+  [first, reach, largest, place] = _counted(low, (math.truth(ends) ? high : Infinity), beyond, inner, outer);
   fixed = (Math.abs(least) + pulled(low));
   parts = (fixed + Math.abs(value));
   least_short = ((4.0 * NOISE_of_stable) * parts);
@@ -2002,30 +2003,30 @@ const stable_radius = (value, found, load, slope_of, pulled, inner, outer = null
     let a, known, lost, more, own, short, slope, step;
     [a, step] = place(t);
     own = load(a);
-    [more, short] = [(own - least), (ends ? math.maximum((top - own), least_short) : 1.0)];
+    [more, short] = [(own - least), (math.truth(ends) ? math.maximum((top - own), least_short) : 1.0)];
     known = (EPS * (fixed + Math.abs(own)));
     lost = (more <= known);
-    more = (lost ? known : more);
-    slope = (((t * step) * slope_of(a)) * ((1.0 / more) + (ends ? (1.0 / short) : 0.0)));
+    more = (math.truth(lost) ? known : more);
+    slope = (((t * step) * slope_of(a)) * ((1.0 / more) + (math.truth(ends) ? (1.0 / short) : 0.0)));
     more = (more / short);
     slope = ((math.logical_not(ends) & (more < (0.5 * wanted))) ? math.maximum(slope, 0.7) : slope);
-    return [more, (lost ? LOST_of_stable : slope)];
+    return [more, (math.truth(lost) ? LOST_of_stable : slope)];
   };
   share = (t) => {
     let a, step;
     [a, step] = place(t);
     return ((t * step) / a);
   };
-  short = (ends ? math.maximum((top - value), least_short) : 1.0);
+  short = (math.truth(ends) ? math.maximum((top - value), least_short) : 1.0);
   wanted = ((value < Infinity) ? (math.maximum((value - least), 0.0) / short) : 0.0);
   far = (ends & (wanted > 1.0));
-  [order, least_unit] = [...['order', 'unit']].map((name) => ((outer == null) ? inner[name] : (beyond ? outer[name] : inner[name])));
-  unit = (far ? reach : math.minimum(math.maximum(first, least_unit), largest));
+  [order, least_unit] = [...['order', 'unit']].map((name) => ((outer == null) ? inner[name] : (math.truth(beyond) ? outer[name] : inner[name])));
+  unit = (math.truth(far) ? reach : math.minimum(math.maximum(first, least_unit), largest));
   [scale, slope] = excess(unit);
   ratio = (wanted / scale);
   start = (unit * Math.pow(ratio, (1.0 / (((ratio > 1.0) & math.logical_not(far)) ? 4.0 : order))));
   start = ((ends & (slope === LOST_of_stable)) ? reach : start);
-  noise = ((NOISE_of_stable * parts) * (ends ? ((1.0 + wanted) / short) : 1.0));
+  noise = ((NOISE_of_stable * parts) * (math.truth(ends) ? ((1.0 + wanted) / short) : 1.0));
   t = inverse(excess, wanted, start, [SLACK, Infinity], largest, share, true, noise);
   a = place(t)[0];
   return (((value === Infinity) & (high === Infinity)) ? Infinity : (Number.isFinite(least) ? a : NaN));
@@ -2126,7 +2127,7 @@ const growth_below = math.in_groups((slope, order, r, c, a, R, close) => {
     t = Math.sqrt(((r * r) + (u * u)));
     return (((slope(t, side) * (side / scale)) * (side / t)) * Math.pow(t, order));
   };
-  return [integrand, (holds ? (0.5 * Math.log1p(ratio)) : 0.0), 1.0, holds, 0.0];
+  return [integrand, (math.truth(holds) ? (0.5 * Math.log1p(ratio)) : 0.0), 1.0, holds, 0.0];
 });
 
 const growth_beyond = math.in_groups((slope, order, r, c, a, b, close) => {
@@ -2141,7 +2142,7 @@ const growth_beyond = math.in_groups((slope, order, r, c, a, b, close) => {
     t = Math.sqrt(((b * b) + (side * side)));
     return ((slope(t, side) * (side / t)) * Math.pow(t, order));
   };
-  return [integrand, (holds ? Math.log1p((gaps / (beyond + root))) : 0.0), 1.0, holds, 0.0];
+  return [integrand, (math.truth(holds) ? Math.log1p((gaps / (beyond + root))) : 0.0), 1.0, holds, 0.0];
 });
 
 const _tangential_force_of_sphere_tipped_cone = (a, c, R, theta, E_star, mu) => {
@@ -2164,7 +2165,7 @@ const _tangential_force = (a, c, R, theta, E_star, mu) => {
     v11 = (v9 * v9);
     v16 = (a - v7);
     v17 = (a + v7);
-    v19 = (v10 ? (v11 - ((R - a) * (R + a))) : (v16 * v17));
+    v19 = (math.truth(v10) ? (v11 - ((R - a) * (R + a))) : (v16 * v17));
     v22 = Math.sqrt((((v19 > 0.0) || (v19 !== v19)) ? v19 : 0.0));
     v23 = (((a < v7) || (a !== a)) ? a : v7);
     v25 = (R - v23);
@@ -2199,7 +2200,7 @@ const _tangential_force = (a, c, R, theta, E_star, mu) => {
     v135 = ((E_star * (((v23 * v23) * v31) + (v35 * v77))) + (v81 * v132));
     v136 = (R - c);
     v137 = (R + c);
-    v143 = (v10 ? (v11 - (v136 * v137)) : ((c - v7) * (c + v7)));
+    v143 = (math.truth(v10) ? (v11 - (v136 * v137)) : ((c - v7) * (c + v7)));
     v145 = Math.sqrt((((v143 > 0.0) || (v143 !== v143)) ? v143 : 0.0));
     v146 = (((c < v7) || (c !== c)) ? c : v7);
     v154 = Math.asinh((v146 / ((c < v7) ? Math.sqrt(((R - v146) * (v146 + R))) : v9)));
@@ -2236,7 +2237,7 @@ const _tangential_force = (a, c, R, theta, E_star, mu) => {
           v247 = (v23 - 0.0);
           v251 = Math.sqrt(((((v247 > 0.0) || (v247 !== v247)) ? v247 : 0.0) * (v23 + 0.0)));
           v255 = Math.sqrt(((((v25 > 0.0) || (v25 !== v25)) ? v25 : 0.0) * (R + v23)));
-          v275 = (0.5 * Math.log1p((((((2.0 * v238) * (v257 ? (((v23 - c) * (v23 + c)) / (v251 + v243)) : 0.0)) / v255) * ((v238 + v251) / (v238 + v243))) / v255)));
+          v275 = (0.5 * Math.log1p((((((2.0 * v238) * (math.truth(v257) ? (((v23 - c) * (v23 + c)) / (v251 + v243)) : 0.0)) / v255) * ((v238 + v251) / (v238 + v243))) / v255)));
         } else {
           v275 = 0.0;
         }
@@ -2274,7 +2275,7 @@ const _tangential_force = (a, c, R, theta, E_star, mu) => {
           } else {
             v334 = 0.0;
           }
-          v340 = Math.log1p((((v320 ? (v323 / (Math.sqrt(((((v16 > 0.0) || (v16 !== v16)) ? v16 : 0.0) * v17)) + v311)) : 0.0) + v334) / (v311 + v316)));
+          v340 = Math.log1p((((math.truth(v320) ? (v323 / (Math.sqrt(((((v16 > 0.0) || (v16 !== v16)) ? v16 : 0.0) * v17)) + v311)) : 0.0) + v334) / (v311 + v316)));
         } else {
           v340 = 0.0;
         }
@@ -2325,7 +2326,7 @@ const _traction = (r, a, c, R, theta, E_star, mu) => {
   tip = growth_below(_slope_of_sphere_tipped_cone, [R], 0, r, c, math.minimum(a, b), R, close);
   beyond = growth_beyond(_slope_beyond, [R, theta], 0, r, c, a, b, close, { width: (1.0 - ((2.0 * theta) / Math.PI)) });
   gain = ((E_star / Math.PI) * (tip + beyond));
-  return (mu * (close ? gain : (sliding - stuck)));
+  return (mu * (math.truth(close) ? gain : (sliding - stuck)));
 };
 
 const traction = (r, a, c, R, theta, E_star, mu) => {
@@ -2364,7 +2365,7 @@ const _tangential_displacement = (a, c, R, theta, E_star, G_star, mu) => {
     if ((a < v8)) {
       v45 = (a * (Math.log1p(((2.0 * a) / v13)) / 2.0));
     } else {
-      v20 = (v11 ? (v12 - (v13 * (R + a))) : (v17 * v18));
+      v20 = (math.truth(v11) ? (v12 - (v13 * (R + a))) : (v17 * v18));
       v23 = Math.sqrt((((v20 > 0.0) || (v20 !== v20)) ? v20 : 0.0));
       v45 = (a * (Math.log1p((((v26 / (v23 + a)) + v30) / (v23 + v10))) + ((v8 * Math.atan2(v23, v8)) / v10)));
     }
@@ -2373,7 +2374,7 @@ const _tangential_displacement = (a, c, R, theta, E_star, G_star, mu) => {
     if ((c < v8)) {
       v73 = (c * (Math.log1p(((2.0 * c) / v46)) / 2.0));
     } else {
-      v53 = (v11 ? (v12 - (v46 * v47)) : ((c - v8) * (c + v8)));
+      v53 = (math.truth(v11) ? (v12 - (v46 * v47)) : ((c - v8) * (c + v8)));
       v55 = Math.sqrt((((v53 > 0.0) || (v53 !== v53)) ? v53 : 0.0));
       v73 = (c * (Math.log1p((((v26 / (v55 + c)) + v30) / (v55 + v10))) + ((v8 * Math.atan2(v55, v8)) / v10)));
     }
@@ -2392,7 +2393,7 @@ const _tangential_displacement = (a, c, R, theta, E_star, G_star, mu) => {
           v95 = Math.sqrt(((((v91 > 0.0) || (v91 !== v91)) ? v91 : 0.0) * (v77 + 0.0)));
           v96 = (R - v77);
           v100 = Math.sqrt(((((v96 > 0.0) || (v96 !== v96)) ? v96 : 0.0) * (R + v77)));
-          v120 = (0.5 * Math.log1p((((((2.0 * v82) * (v102 ? (((v77 - c) * (v77 + c)) / (v95 + v87)) : 0.0)) / v100) * ((v82 + v95) / (v82 + v87))) / v100)));
+          v120 = (0.5 * Math.log1p((((((2.0 * v82) * (math.truth(v102) ? (((v77 - c) * (v77 + c)) / (v95 + v87)) : 0.0)) / v100) * ((v82 + v95) / (v82 + v87))) / v100)));
         } else {
           v120 = 0.0;
         }
@@ -2431,7 +2432,7 @@ const _tangential_displacement = (a, c, R, theta, E_star, G_star, mu) => {
           } else {
             v184 = 0.0;
           }
-          v190 = Math.log1p((((v170 ? (v173 / (Math.sqrt(((((v17 > 0.0) || (v17 !== v17)) ? v17 : 0.0) * v18)) + v161)) : 0.0) + v184) / (v161 + v166)));
+          v190 = Math.log1p((((math.truth(v170) ? (v173 / (Math.sqrt(((((v17 > 0.0) || (v17 !== v17)) ? v17 : 0.0) * v18)) + v161)) : 0.0) + v184) / (v161 + v166)));
         } else {
           v190 = 0.0;
         }
@@ -2555,7 +2556,7 @@ const sine_over = (y) => {
   let v2;
   v2 = (y > 0.0);
   if (v2) {
-    return (Math.sin(y) / (v2 ? y : 1.0));
+    return (Math.sin(y) / (math.truth(v2) ? y : 1.0));
   }
   return 1.0;
 };
@@ -2603,7 +2604,7 @@ const sinh_over = (v) => {
   let v2;
   v2 = (v > 0.0);
   if (v2) {
-    return (Math.sinh(v) / (v2 ? v : 1.0));
+    return (Math.sinh(v) / (math.truth(v2) ? v : 1.0));
   }
   return 1.0;
 };
@@ -2640,7 +2641,7 @@ const either = (condition, x, y) => {
   if (Boolean(condition)) {
     return x();
   }
-  return (Boolean(condition) ? (condition ? x() : y()) : y());
+  return (Boolean(condition) ? (math.truth(condition) ? x() : y()) : y());
 };
 
 const tipped_depth = (a, root, R, b, end, k) => {
@@ -2831,7 +2832,7 @@ const _from_branch = (smooth, scale, reach, k, above = null) => {
 
 const growth_beyond_cap = (slope, r, a, b, k, past = null, bend = Infinity) => {
   let below, cube, first, gaps, inner, outer, reach, scale, start, value, within;
-  gaps = [...[r, a]].map((x) => (past ? past(x) : (x - b)));
+  gaps = [...[r, a]].map((x) => (math.truth(past) ? past(x) : (x - b)));
   [within, scale, reach] = _branches_of_pressure(r, a, b, (2.0 + (2.0 * k)), ...gaps);
   [first, start] = _panel(scale, reach, (_PANEL * math.minimum(1.0, (bend / scale))));
   inner = (root, u) => {
@@ -2913,7 +2914,7 @@ const from_edge = (shape, a, q, c, stop, k, steep = false) => {
     sinh = Math.sinh((half + v));
     return (smooth((half + v), sinh) * Math.pow(sinh, k));
   };
-  longest = (steep ? Infinity : Number(math.maximum((Number.isFinite(stop) ? stop : 0.0))));
+  longest = (math.truth(steep) ? Infinity : Number(math.maximum((Number.isFinite(stop) ? stop : 0.0))));
   for ([length, count] of EDGE) {
     if ((longest <= length)) {
       return ((raised(ratio, k) * raised(stop, k)) * weighted(first, stop, k, count));
@@ -2935,10 +2936,10 @@ const _Gap = (outside, q, even, grown) => math.record({ outside, q, even, grown 
 const _gap_of_displacement = (r, a, k) => {
   let even, outside, q, share;
   outside = (r > a);
-  q = (outside ? difference_root(math.maximum(r, a), a) : a);
-  share = ((1.0 - k) * (outside ? punch_share(r, a, k) : 1.0));
+  q = (math.truth(outside) ? difference_root(math.maximum(r, a), a) : a);
+  share = ((1.0 - k) * (math.truth(outside) ? punch_share(r, a, k) : 1.0));
   even = ((share > 0.0) ? (share * raised((q / a), k)) : 0.0);
-  return _Gap(outside, q, even, ((outside ? punch_scale(k) : 0.0) + (share * raised((a / q), (-k)))));
+  return _Gap(outside, q, even, ((math.truth(outside) ? punch_scale(k) : 0.0) + (share * raised((a / q), (-k)))));
 };
 
 const _weighed = (gap, shape, a) => {
@@ -3180,12 +3181,12 @@ const radius_across = (load, rate, value, b, needs, tip, least = null, end = nul
   below = ((end == null) ? radius_itself() : up_to(end, needs.at(-1)));
   radius = (b + math.zeros_like(value));
   if ((!Boolean(above))) {
-    radius = _below(load, rate, (above ? base : value), base, b, needs, below, tip);
+    radius = _below(load, rate, (math.truth(above) ? base : value), base, b, needs, below, tip);
   }
   if ((!Boolean(above))) {
     return radius;
   }
-  return (above ? _beyond_of_inverse(load, rate, (above ? (value - base) : 0.0), base, b, needs, ((least == null) ? 1.0 : least), tip, ...close) : radius);
+  return (math.truth(above) ? _beyond_of_inverse(load, rate, (math.truth(above) ? (value - base) : 0.0), base, b, needs, ((least == null) ? 1.0 : least), tip, ...close) : radius);
 };
 
 const _radius_from_depth_2 = (d, R, theta, k) => {

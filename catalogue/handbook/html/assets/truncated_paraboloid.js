@@ -13,7 +13,7 @@ const math = {
   logical_not: (x) => !x,
   where: (condition, x, y) => (condition ? x : y),
   minimum: (x, y) => (x < y || x !== x ? x : y),
-  maximum: (x, y) => (x > y || x !== x ? x : y),
+  maximum: (x, y = x) => (x > y || x !== x ? x : y),
   clip: (x, low, high) => Math.min(Math.max(x, low), high),
   sqrt: Math.sqrt,
   log: (x) => Math.log(x),
@@ -25,6 +25,7 @@ const math = {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
     return Array.from({ length: Math.max(Math.ceil((stop - start) / step), 0) }, (_, count) => start + step * count);
   },
+  truth: (x) => (Array.isArray(x) ? x.length > 0 : Boolean(x)),
   zip: (x, y) => x.slice(0, y.length).map((value, place) => [value, y[place]]),
   // named fields that are told by their places too
   record: (fields) => Object.assign(Object.values(fields), fields),
@@ -302,8 +303,8 @@ const pressure_integral_beyond = math.in_groups((slope, r, a, b) => {
   let fallen, integrand, outside, reach, stop, within;
   r = ((r === b) ? math.nextafter(b, Infinity) : r);
   within = (r < b);
-  [outside, reach] = [(within ? 0.0 : 1.0), difference_root(a, b)];
-  stop = Math.asinh(((within ? reach : difference_root(a, r)) / Math.sqrt((Math.abs((r - b)) * (r + b)))));
+  [outside, reach] = [(math.truth(within) ? 0.0 : 1.0), difference_root(a, b)];
+  stop = Math.asinh(((math.truth(within) ? reach : difference_root(a, r)) / Math.sqrt((Math.abs((r - b)) * (r + b)))));
   fallen = falling(stop, outside);
   integrand = (v) => {
     let root, t;
@@ -331,7 +332,7 @@ const _pressure = (r, a, R, b, E_star) => {
         if ((v5 && (a > b))) {
           return Infinity;
         }
-        v8 = (v5 ? math.nextafter(b, Infinity) : r);
+        v8 = (math.truth(v5) ? math.nextafter(b, Infinity) : r);
         if ((a > (((v8 > b) || (v8 !== v8)) ? v8 : b))) {
           v9 = (v8 < b);
           v13 = (a - b);
@@ -343,7 +344,7 @@ const _pressure = (r, a, R, b, E_star) => {
             v23 = Math.sqrt(((((v18 > 0.0) || (v18 !== v18)) ? v18 : 0.0) * (a + v8)));
           }
           v30 = Math.asinh((v23 / Math.sqrt((Math.abs((v8 - b)) * (v8 + b)))));
-          v32 = (2.0 * (v9 ? 0.0 : 1.0));
+          v32 = (2.0 * (math.truth(v9) ? 0.0 : 1.0));
           v33 = (1.0 - v32);
           v38 = (v32 - (v33 * Math.expm1(((-2.0) * v30))));
           v40 = ((v38 > 0.0) ? v38 : Infinity);
@@ -585,12 +586,12 @@ const _load_within = (r, a, R, b, E_star) => {
       v73 = (b * b);
       if ((a > (((v8 > b) || (v8 !== v8)) ? v8 : b))) {
         v9 = (v8 < b);
-        v12 = (v9 ? 0.0 : 1.0);
+        v12 = (math.truth(v9) ? 0.0 : 1.0);
         v13 = (a - b);
         v17 = Math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * (a + b)));
         v18 = (a - v8);
         v22 = Math.sqrt(((((v18 > 0.0) || (v18 !== v18)) ? v18 : 0.0) * (a + v8)));
-        v30 = Math.asinh(((v9 ? v17 : v22) / Math.sqrt((Math.abs((v8 - b)) * (v8 + b)))));
+        v30 = Math.asinh(((math.truth(v9) ? v17 : v22) / Math.sqrt((Math.abs((v8 - b)) * (v8 + b)))));
         v32 = (2.0 * v12);
         v33 = (1.0 - v32);
         v36 = Math.expm1(((-2.0) * v30));
@@ -684,7 +685,7 @@ const _missed = (value, y) => {
   v3 = ((value - y) / y);
   v6 = (Math.abs(v3) < 0.5);
   if (v6) {
-    return math.log1p((v6 ? v3 : 0.0));
+    return math.log1p((math.truth(v6) ? v3 : 0.0));
   }
   return math.log((value / y));
 };
@@ -707,12 +708,12 @@ const _safe = (position, step, error, exponents, low, high, late) => {
   [from_, to] = [math.maximum(first, low), math.minimum(last, high)];
   met = Number.isFinite((high - low));
   signs = ((from_ > to) | (met & (late >= 0)));
-  middle = (((signs ? low : from_) / 2.0) + ((signs ? high : to) / 2.0));
+  middle = (((math.truth(signs) ? low : from_) / 2.0) + ((math.truth(signs) ? high : to) / 2.0));
   if ((late >= 0)) {
-    aimed = (met ? (position + step) : aimed);
+    aimed = (math.truth(met) ? (position + step) : aimed);
   }
   within = (((low <= aimed) & (aimed <= high)) & ((late < 0) || ((late % 2) === 0)));
-  return ((within ? aimed : middle) - position);
+  return ((math.truth(within) ? aimed : middle) - position);
 };
 
 const _step = (step, before, slope_before, error, slope) => {
@@ -763,8 +764,8 @@ const inverse = (curve, value, start, exponents, largest = Infinity, share = nul
     low = ((error > 0.0) ? math.maximum(low, position) : low);
     high = ((error < 0.0) ? math.minimum(high, position) : high);
     step = _safe(position, step, error, exponents, low, high, (iteration - PATIENCE));
-    position = (left ? (position + step) : position);
-    t = (left ? Math.exp(position) : t);
+    position = (math.truth(left) ? (position + step) : position);
+    t = (math.truth(left) ? Math.exp(position) : t);
     [before, slope_before] = [error, slope];
     [y, slope] = curve(t);
     y = ((y === y) ? y : Infinity);
@@ -926,7 +927,7 @@ const _pressure_2 = (r, a, R, b, E_star, dgamma) => {
         if ((v6 && (a > b))) {
           v74 = Infinity;
         } else {
-          v9 = (v6 ? math.nextafter(b, Infinity) : r);
+          v9 = (math.truth(v6) ? math.nextafter(b, Infinity) : r);
           if ((a > (((v9 > b) || (v9 !== v9)) ? v9 : b))) {
             v10 = (v9 < b);
             v14 = (a - b);
@@ -938,7 +939,7 @@ const _pressure_2 = (r, a, R, b, E_star, dgamma) => {
               v24 = Math.sqrt(((((v19 > 0.0) || (v19 !== v19)) ? v19 : 0.0) * (a + v9)));
             }
             v31 = Math.asinh((v24 / Math.sqrt((Math.abs((v9 - b)) * (v9 + b)))));
-            v33 = (2.0 * (v10 ? 0.0 : 1.0));
+            v33 = (2.0 * (math.truth(v10) ? 0.0 : 1.0));
             v34 = (1.0 - v33);
             v39 = (v33 - (v34 * Math.expm1(((-2.0) * v31))));
             v41 = ((v39 > 0.0) ? v39 : Infinity);
@@ -1095,7 +1096,7 @@ const _displacement_of_truncated_paraboloid = (r, a, R, b, E_star, dgamma) => {
     } else {
       v92 = NaN;
     }
-    return (v92 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (v89 ? (0.6366197723675814 * Math.atan2(a, v22)) : 1.0)));
+    return (v92 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (math.truth(v89) ? (0.6366197723675814 * Math.atan2(a, v22)) : 1.0)));
   }
   return _displacement_2(r, a, R, b, E_star, dgamma);
 };
@@ -1243,11 +1244,11 @@ const beyond_edge = (b, first = 1.0, last = 1.0) => {
   of = (a) => {
     let t;
     t = (difference_root(a, b) / b);
-    return (plain ? t : power_of(t, first, last));
+    return (math.truth(plain) ? t : power_of(t, first, last));
   };
   back = (x) => {
     let a, slope, t;
-    [t, slope] = (plain ? [x, 1.0] : root_of(x, first, last));
+    [t, slope] = (math.truth(plain) ? [x, 1.0] : root_of(x, first, last));
     a = (b * Math.hypot(1.0, t));
     return [a, ((a * ((t * t) / (1.0 + (t * t)))) / (x * slope))];
   };
@@ -1268,8 +1269,8 @@ const _branch_of = (value, found, load, pulled) => {
     top = (Number.isFinite(last) ? at_the_end(load, last) : Infinity);
     top = (Number.isNaN(top) ? Infinity : top);
     fits = ((value >= (start - ((2.0 * NOISE) * (Math.abs(start) + pulled(first))))) & (value <= top));
-    [low, high] = [(fits ? first : low), (fits ? last : high)];
-    [least, largest] = [(fits ? start : least), (fits ? top : largest)];
+    [low, high] = [(math.truth(fits) ? first : low), (math.truth(fits) ? last : high)];
+    [least, largest] = [(math.truth(fits) ? start : least), (math.truth(fits) ? top : largest)];
   }
   return [low, high, least, largest];
 };
@@ -1280,15 +1281,15 @@ const _divided = (value, low, high, least, top, load, corner) => {
   inside = ((low < corner) & math.logical_not((high <= corner)));
   above = (inside & (value > bend));
   below = (inside & math.logical_not(above));
-  [high, top] = [(below ? corner : high), (below ? bend : top)];
-  [low, least] = [(above ? corner : low), (above ? bend : least)];
+  [high, top] = [(math.truth(below) ? corner : high), (math.truth(below) ? bend : top)];
+  [low, least] = [(math.truth(above) ? corner : low), (math.truth(above) ? bend : least)];
   return [low, high, least, top, (low >= corner)];
 };
 
 const _counted = (low, high, beyond, inner, outer) => {
   let first, last, of, place, reach;
   of = (a) => {
-    return ((outer == null) ? inner.of(a) : (beyond ? outer.of((beyond ? a : low)) : inner.of(a)));
+    return ((outer == null) ? inner.of(a) : (math.truth(beyond) ? outer.of((math.truth(beyond) ? a : low)) : inner.of(a)));
   };
   first = of(low);
   last = ((high === Infinity) ? Infinity : of(((high === Infinity) ? low : high)));
@@ -1296,13 +1297,13 @@ const _counted = (low, high, beyond, inner, outer) => {
   place = (t) => {
     let a, open_, own, own_rate, rate, share, step, x;
     open_ = math.logical_not(Number.isFinite(reach));
-    share = (open_ ? 0.0 : (t / reach));
+    share = (math.truth(open_) ? 0.0 : (t / reach));
     x = (first + ((share < Infinity) ? (t / (1.0 + share)) : reach));
     step = (1.0 / Math.pow((1.0 + share), 2));
     [a, rate] = inner.back(x);
     if ((outer != null)) {
-      [own, own_rate] = outer.back((beyond ? x : 1.0));
-      [a, rate] = [(beyond ? own : a), (beyond ? own_rate : rate)];
+      [own, own_rate] = outer.back((math.truth(beyond) ? x : 1.0));
+      [a, rate] = [(math.truth(beyond) ? own : a), (math.truth(beyond) ? own_rate : rate)];
     }
     return [a, (rate * step)];
   };
@@ -1329,7 +1330,7 @@ const stable_radius = (value, found, load, slope_of, pulled, inner, outer = null
   if (((outer == null) && Boolean(ends))) {
     ends = (ends & (slope_of(high) < Infinity));
   }
-  [first, reach, largest, place] = _counted(low, (ends ? high : Infinity), beyond, inner, outer);
+  [first, reach, largest, place] = _counted(low, (math.truth(ends) ? high : Infinity), beyond, inner, outer);
   fixed = (Math.abs(least) + pulled(low));
   parts = (fixed + Math.abs(value));
   least_short = ((4.0 * NOISE) * parts);
@@ -1337,30 +1338,30 @@ const stable_radius = (value, found, load, slope_of, pulled, inner, outer = null
     let a, known, lost, more, own, short, slope, step;
     [a, step] = place(t);
     own = load(a);
-    [more, short] = [(own - least), (ends ? math.maximum((top - own), least_short) : 1.0)];
+    [more, short] = [(own - least), (math.truth(ends) ? math.maximum((top - own), least_short) : 1.0)];
     known = (EPS * (fixed + Math.abs(own)));
     lost = (more <= known);
-    more = (lost ? known : more);
-    slope = (((t * step) * slope_of(a)) * ((1.0 / more) + (ends ? (1.0 / short) : 0.0)));
+    more = (math.truth(lost) ? known : more);
+    slope = (((t * step) * slope_of(a)) * ((1.0 / more) + (math.truth(ends) ? (1.0 / short) : 0.0)));
     more = (more / short);
     slope = ((math.logical_not(ends) & (more < (0.5 * wanted))) ? math.maximum(slope, 0.7) : slope);
-    return [more, (lost ? LOST : slope)];
+    return [more, (math.truth(lost) ? LOST : slope)];
   };
   share = (t) => {
     let a, step;
     [a, step] = place(t);
     return ((t * step) / a);
   };
-  short = (ends ? math.maximum((top - value), least_short) : 1.0);
+  short = (math.truth(ends) ? math.maximum((top - value), least_short) : 1.0);
   wanted = ((value < Infinity) ? (math.maximum((value - least), 0.0) / short) : 0.0);
   far = (ends & (wanted > 1.0));
-  [order, least_unit] = [...['order', 'unit']].map((name) => ((outer == null) ? inner[name] : (beyond ? outer[name] : inner[name])));
-  unit = (far ? reach : math.minimum(math.maximum(first, least_unit), largest));
+  [order, least_unit] = [...['order', 'unit']].map((name) => ((outer == null) ? inner[name] : (math.truth(beyond) ? outer[name] : inner[name])));
+  unit = (math.truth(far) ? reach : math.minimum(math.maximum(first, least_unit), largest));
   [scale, slope] = excess(unit);
   ratio = (wanted / scale);
   start = (unit * Math.pow(ratio, (1.0 / (((ratio > 1.0) & math.logical_not(far)) ? 4.0 : order))));
   start = ((ends & (slope === LOST)) ? reach : start);
-  noise = ((NOISE * parts) * (ends ? ((1.0 + wanted) / short) : 1.0));
+  noise = ((NOISE * parts) * (math.truth(ends) ? ((1.0 + wanted) / short) : 1.0));
   t = inverse(excess, wanted, start, [SLACK, Infinity], largest, share, true, noise);
   a = place(t)[0];
   return (((value === Infinity) & (high === Infinity)) ? Infinity : (Number.isFinite(least) ? a : NaN));
@@ -1462,7 +1463,7 @@ const growth_beyond = math.in_groups((slope, order, r, c, a, b, close) => {
     t = Math.sqrt(((b * b) + (side * side)));
     return ((slope(t, side) * (side / t)) * Math.pow(t, order));
   };
-  return [integrand, (holds ? Math.log1p((gaps / (beyond + root))) : 0.0), 1.0, holds, 0.0];
+  return [integrand, (math.truth(holds) ? Math.log1p((gaps / (beyond + root))) : 0.0), 1.0, holds, 0.0];
 });
 
 const _tangential_force_of_truncated_paraboloid = (a, c, R, b, E_star, mu) => {
@@ -1501,7 +1502,7 @@ const _tangential_force = (a, c, R, b, E_star, mu) => {
           } else {
             v62 = 0.0;
           }
-          v68 = Math.log1p((((v48 ? (v51 / (Math.sqrt(((((v6 > 0.0) || (v6 !== v6)) ? v6 : 0.0) * v7)) + v39)) : 0.0) + v62) / (v39 + v44)));
+          v68 = Math.log1p((((math.truth(v48) ? (v51 / (Math.sqrt(((((v6 > 0.0) || (v6 !== v6)) ? v6 : 0.0) * v7)) + v39)) : 0.0) + v62) / (v39 + v44)));
         } else {
           v68 = 0.0;
         }
@@ -1554,12 +1555,12 @@ const _traction = (r, a, c, R, b, E_star, mu) => {
   let node, v10, v101, v11, v111, v121, v122, v123, v127, v128, v129, v131, v135, v136, v137, v141, v142, v146, v147, v15, v150, v154, v161, v163, v167, v168, v173, v176, v185, v186, v187, v19, v190, v20, v25, v30, v32, v34, v35, v40, v42, v43, v45, v55, v56, v62, v67, v68, v69, v7, v73, v75, v77, v80, v81, v85, v86, v91, v93, v97, v99, weight;
   if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (c > 1e-30) && (c < 1e+30) && (R > 1e-30) && (R < 1e+30) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (mu > 1e-30) && (mu < 1e+30) && (b <= a))) {
     v7 = (r === b);
-    v10 = (v7 ? math.nextafter(b, Infinity) : r);
+    v10 = (math.truth(v7) ? math.nextafter(b, Infinity) : r);
     v11 = (v10 < b);
     v15 = (a - b);
     v19 = Math.sqrt(((((v15 > 0.0) || (v15 !== v15)) ? v15 : 0.0) * (a + b)));
     v30 = Math.sqrt((Math.abs((v10 - b)) * (v10 + b)));
-    v34 = (2.0 * (v11 ? 0.0 : 1.0));
+    v34 = (2.0 * (math.truth(v11) ? 0.0 : 1.0));
     v35 = (1.0 - v34);
     v43 = (((v10 > b) || (v10 !== v10)) ? v10 : b);
     v56 = (b * b);
@@ -1660,7 +1661,7 @@ const _traction = (r, a, c, R, b, E_star, mu) => {
           } else {
             v161 = 0.0;
           }
-          v167 = Math.log1p((((v147 ? (v150 / (v19 + v141)) : 0.0) + v161) / (v141 + v146)));
+          v167 = Math.log1p((((math.truth(v147) ? (v150 / (v19 + v141)) : 0.0) + v161) / (v141 + v146)));
         } else {
           v167 = 0.0;
         }
@@ -1732,7 +1733,7 @@ const _tangential_displacement = (a, c, R, b, E_star, G_star, mu) => {
           } else {
             v51 = 0.0;
           }
-          v57 = Math.log1p((((v37 ? (v40 / (Math.sqrt(((((v7 > 0.0) || (v7 !== v7)) ? v7 : 0.0) * v8)) + v28)) : 0.0) + v51) / (v28 + v33)));
+          v57 = Math.log1p((((math.truth(v37) ? (v40 / (Math.sqrt(((((v7 > 0.0) || (v7 !== v7)) ? v7 : 0.0) * v8)) + v28)) : 0.0) + v51) / (v28 + v33)));
         } else {
           v57 = 0.0;
         }
@@ -1882,7 +1883,7 @@ const force_2 = (a, R, b, H, k) => {
 const _branches_of_pressure = (r, a, b, power, near, far) => {
   let least, reach, within;
   within = (near < 0.0);
-  reach = (within ? Math.sqrt((math.maximum(far, 0.0) * (a + b))) : difference_root(a, r));
+  reach = (math.truth(within) ? Math.sqrt((math.maximum(far, 0.0) * (a + b))) : difference_root(a, r));
   least = (math.minimum(b, reach) * Math.exp(((-37.0) / math.minimum(math.maximum(power, 0.107), 2.0))));
   return [within, ((near === 0.0) ? least : Math.sqrt((Math.abs(near) * (r + b)))), reach];
 };
@@ -1900,7 +1901,7 @@ const sinh_over = (v) => {
   let v2;
   v2 = (v > 0.0);
   if (v2) {
-    return (Math.sinh(v) / (v2 ? v : 1.0));
+    return (Math.sinh(v) / (math.truth(v2) ? v : 1.0));
   }
   return 1.0;
 };
@@ -1937,7 +1938,7 @@ const growth_far = (integrand, start, reach, scale) => {
   if ((!Boolean(long))) {
     return math.zeros_like(start);
   }
-  half = (long ? Math.log((Math.sqrt(reach) / Math.sqrt((long ? start : 1.0)))) : 0.0);
+  half = (math.truth(long) ? Math.log((Math.sqrt(reach) / Math.sqrt((math.truth(long) ? start : 1.0)))) : 0.0);
   along = (y) => {
     let far;
     far = Math.hypot(scale, y);
@@ -1983,13 +1984,13 @@ const growth_beyond_of_pressure = (slope, r, a, b, k, order = 0.0) => {
   [within, scale, reach] = _branches_of_pressure(r, a, b, (order + (2.0 * k)), (r - b), (a - b));
   smooth = (near, far) => {
     let root, t;
-    root = (within ? near : far);
+    root = (math.truth(within) ? near : far);
     t = Math.hypot(b, root);
     return (slope(t, root) * Math.pow((far / t), k));
   };
   value = ((reach > 0.0) ? _from_branch(smooth, scale, reach, k) : 0.0);
   at = ((r === b) & (reach > 0.0));
-  return (Boolean(at) ? (at ? growth_from_break(slope, (at ? reach : b), b, k, order) : value) : value);
+  return (Boolean(at) ? (math.truth(at) ? growth_from_break(slope, (math.truth(at) ? reach : b), b, k, order) : value) : value);
 };
 
 const _cornered = (value, r, a, b, k) => {
@@ -2056,7 +2057,7 @@ const from_edge = (shape, a, q, c, stop, k, steep = false) => {
     sinh = Math.sinh((half + v));
     return (smooth((half + v), sinh) * Math.pow(sinh, k));
   };
-  longest = (steep ? Infinity : Number(math.maximum((Number.isFinite(stop) ? stop : 0.0))));
+  longest = (math.truth(steep) ? Infinity : Number(math.maximum((Number.isFinite(stop) ? stop : 0.0))));
   for ([length, count] of EDGE) {
     if ((longest <= length)) {
       return ((raised(ratio, k) * raised(stop, k)) * weighted(first, stop, k, count));
@@ -2078,10 +2079,10 @@ const _Gap = (outside, q, even, grown) => math.record({ outside, q, even, grown 
 const _gap_of_displacement = (r, a, k) => {
   let even, outside, q, share;
   outside = (r > a);
-  q = (outside ? difference_root(math.maximum(r, a), a) : a);
-  share = ((1.0 - k) * (outside ? punch_share(r, a, k) : 1.0));
+  q = (math.truth(outside) ? difference_root(math.maximum(r, a), a) : a);
+  share = ((1.0 - k) * (math.truth(outside) ? punch_share(r, a, k) : 1.0));
   even = ((share > 0.0) ? (share * raised((q / a), k)) : 0.0);
-  return _Gap(outside, q, even, ((outside ? punch_scale(k) : 0.0) + (share * raised((a / q), (-k)))));
+  return _Gap(outside, q, even, ((math.truth(outside) ? punch_scale(k) : 0.0) + (share * raised((a / q), (-k)))));
 };
 
 const _weighed = (gap, shape, a) => {
@@ -2408,7 +2409,7 @@ const depth_3 = (a, R, b, H, k, dgamma) => {
 const _force_5 = (a, R, b, H, k, dgamma) => {
   let v14, v16, v19, v27, v29, v41, v44, v7;
   v16 = (a > 0.0);
-  v19 = (v16 ? (a * Math.pow(a, k)) : 0.0);
+  v19 = (math.truth(v16) ? (a * Math.pow(a, k)) : 0.0);
   v29 = (1.0 + k);
   v41 = ((2.0 * H) / v29);
   if ((a >= b)) {
@@ -2419,7 +2420,7 @@ const _force_5 = (a, R, b, H, k, dgamma) => {
   } else {
     v44 = NaN;
   }
-  return (v44 - ((v41 * v19) * (v16 ? ((math.sqrt(((6.283185307179586 * dgamma) / H)) * math.sqrt(a)) * math.sqrt(Math.pow(a, (-k)))) : 0.0)));
+  return (v44 - ((v41 * v19) * (math.truth(v16) ? ((math.sqrt(((6.283185307179586 * dgamma) / H)) * math.sqrt(a)) * math.sqrt(Math.pow(a, (-k)))) : 0.0)));
 };
 
 const force_3 = (a, R, b, H, k, dgamma) => {
@@ -2662,7 +2663,7 @@ const _grown = (quantity, rate, r, c, a, b, k, close) => {
     return (((rate(t, root) * _weight(quantity, t, y, k)) * distance) * (distance / t));
   };
   holds = (close & (start > 0.0));
-  return (holds ? math.integral_in_strip(integrand, (holds ? _span(c, a, start) : 0.0)) : 0.0);
+  return (math.truth(holds) ? math.integral_in_strip(integrand, (math.truth(holds) ? _span(c, a, start) : 0.0)) : 0.0);
 };
 
 const _difference = (quantity, whole, lengths, b, r, c, a, k) => {
@@ -2676,7 +2677,7 @@ const either = (condition, x, y) => {
   if (Boolean(condition)) {
     return x();
   }
-  return (Boolean(condition) ? (condition ? x() : y()) : y());
+  return (Boolean(condition) ? (math.truth(condition) ? x() : y()) : y());
 };
 
 const beyond_gain = (quantity, whole, rate, lengths, r, c, a, k) => {

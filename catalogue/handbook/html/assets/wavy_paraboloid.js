@@ -13,7 +13,7 @@ const math = {
   logical_not: (x) => !x,
   where: (condition, x, y) => (condition ? x : y),
   minimum: (x, y) => (x < y || x !== x ? x : y),
-  maximum: (x, y) => (x > y || x !== x ? x : y),
+  maximum: (x, y = x) => (x > y || x !== x ? x : y),
   clip: (x, low, high) => Math.min(Math.max(x, low), high),
   sqrt: Math.sqrt,
   log: (x) => Math.log(x),
@@ -25,6 +25,7 @@ const math = {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
     return Array.from({ length: Math.max(Math.ceil((stop - start) / step), 0) }, (_, count) => start + step * count);
   },
+  truth: (x) => (Array.isArray(x) ? x.length > 0 : Boolean(x)),
   zip: (x, y) => x.slice(0, y.length).map((value, place) => [value, y[place]]),
   // named fields that are told by their places too
   record: (fields) => Object.assign(Object.values(fields), fields),
@@ -790,7 +791,7 @@ const _reached = (series, change, value) => {
     root = Math.sqrt(math.maximum((((4.0 * slope) * slope) + ((12.0 * missed) * bend)), 0.0));
     step = (s + ((3.0 * missed) / (slope + root)));
     step = ((((low < step) & (step < high)) & ((turn % 4) !== 3)) ? step : (0.5 * (low + high)));
-    s = (left ? step : s);
+    s = (math.truth(left) ? step : s);
   }
   return s;
 };
@@ -811,7 +812,7 @@ const inverse_over_waves = (value, waves, power) => {
     [low, high] = [((y < value) ? z : low), ((y > value) ? z : high)];
     step = (z + (width * s));
     within = ((low <= step) & (step <= high));
-    z = (left ? (within ? step : (0.5 * (low + math.minimum(high, (z + width))))) : z);
+    z = (math.truth(left) ? (math.truth(within) ? step : (0.5 * (low + math.minimum(high, (z + width))))) : z);
     rest = Math.abs((series.at(-1) * Math.pow(s, math.length(series))));
     settled = ((within & (Math.abs(s) < 1.0)) & (rest <= ((0.5 * ROUNDING) * value)));
     left = (left & math.logical_not((settled & (Math.abs((value - y)) <= (FAR * value)))));
@@ -1116,8 +1117,8 @@ const _branch_of = (value, found, load, pulled) => {
     top = (Number.isFinite(last) ? at_the_end(load, last) : Infinity);
     top = (Number.isNaN(top) ? Infinity : top);
     fits = ((value >= (start - ((2.0 * NOISE) * (Math.abs(start) + pulled(first))))) & (value <= top));
-    [low, high] = [(fits ? first : low), (fits ? last : high)];
-    [least, largest] = [(fits ? start : least), (fits ? top : largest)];
+    [low, high] = [(math.truth(fits) ? first : low), (math.truth(fits) ? last : high)];
+    [least, largest] = [(math.truth(fits) ? start : least), (math.truth(fits) ? top : largest)];
   }
   return [low, high, least, largest];
 };
@@ -1128,15 +1129,15 @@ const _divided = (value, low, high, least, top, load, corner) => {
   inside = ((low < corner) & math.logical_not((high <= corner)));
   above = (inside & (value > bend));
   below = (inside & math.logical_not(above));
-  [high, top] = [(below ? corner : high), (below ? bend : top)];
-  [low, least] = [(above ? corner : low), (above ? bend : least)];
+  [high, top] = [(math.truth(below) ? corner : high), (math.truth(below) ? bend : top)];
+  [low, least] = [(math.truth(above) ? corner : low), (math.truth(above) ? bend : least)];
   return [low, high, least, top, (low >= corner)];
 };
 
 const _counted = (low, high, beyond, inner, outer) => {
   let first, last, of, place, reach;
   of = (a) => {
-    return ((outer == null) ? inner.of(a) : (beyond ? outer.of((beyond ? a : low)) : inner.of(a)));
+    return ((outer == null) ? inner.of(a) : (math.truth(beyond) ? outer.of((math.truth(beyond) ? a : low)) : inner.of(a)));
   };
   first = of(low);
   last = ((high === Infinity) ? Infinity : of(((high === Infinity) ? low : high)));
@@ -1144,13 +1145,13 @@ const _counted = (low, high, beyond, inner, outer) => {
   place = (t) => {
     let a, open_, own, own_rate, rate, share, step, x;
     open_ = math.logical_not(Number.isFinite(reach));
-    share = (open_ ? 0.0 : (t / reach));
+    share = (math.truth(open_) ? 0.0 : (t / reach));
     x = (first + ((share < Infinity) ? (t / (1.0 + share)) : reach));
     step = (1.0 / Math.pow((1.0 + share), 2));
     [a, rate] = inner.back(x);
     if ((outer != null)) {
-      [own, own_rate] = outer.back((beyond ? x : 1.0));
-      [a, rate] = [(beyond ? own : a), (beyond ? own_rate : rate)];
+      [own, own_rate] = outer.back((math.truth(beyond) ? x : 1.0));
+      [a, rate] = [(math.truth(beyond) ? own : a), (math.truth(beyond) ? own_rate : rate)];
     }
     return [a, (rate * step)];
   };
@@ -1168,7 +1169,7 @@ const _missed = (value, y) => {
   v3 = ((value - y) / y);
   v6 = (Math.abs(v3) < 0.5);
   if (v6) {
-    return math.log1p((v6 ? v3 : 0.0));
+    return math.log1p((math.truth(v6) ? v3 : 0.0));
   }
   return math.log((value / y));
 };
@@ -1191,12 +1192,12 @@ const _safe = (position, step, error, exponents, low, high, late) => {
   [from_, to] = [math.maximum(first, low), math.minimum(last, high)];
   met = Number.isFinite((high - low));
   signs = ((from_ > to) | (met & (late >= 0)));
-  middle = (((signs ? low : from_) / 2.0) + ((signs ? high : to) / 2.0));
+  middle = (((math.truth(signs) ? low : from_) / 2.0) + ((math.truth(signs) ? high : to) / 2.0));
   if ((late >= 0)) {
-    aimed = (met ? (position + step) : aimed);
+    aimed = (math.truth(met) ? (position + step) : aimed);
   }
   within = (((low <= aimed) & (aimed <= high)) & ((late < 0) || ((late % 2) === 0)));
-  return ((within ? aimed : middle) - position);
+  return ((math.truth(within) ? aimed : middle) - position);
 };
 
 const _step = (step, before, slope_before, error, slope) => {
@@ -1247,8 +1248,8 @@ const inverse = (curve, value, start, exponents, largest = Infinity, share = nul
     low = ((error > 0.0) ? math.maximum(low, position) : low);
     high = ((error < 0.0) ? math.minimum(high, position) : high);
     step = _safe(position, step, error, exponents, low, high, (iteration - PATIENCE));
-    position = (left ? (position + step) : position);
-    t = (left ? Math.exp(position) : t);
+    position = (math.truth(left) ? (position + step) : position);
+    t = (math.truth(left) ? Math.exp(position) : t);
     [before, slope_before] = [error, slope];
     [y, slope] = curve(t);
     y = ((y === y) ? y : Infinity);
@@ -1284,7 +1285,7 @@ const stable_radius = (value, found, load, slope_of, pulled, inner, outer = null
   if (((outer == null) && Boolean(ends))) {
     ends = (ends & (slope_of(high) < Infinity));
   }
-  [first, reach, largest, place] = _counted(low, (ends ? high : Infinity), beyond, inner, outer);
+  [first, reach, largest, place] = _counted(low, (math.truth(ends) ? high : Infinity), beyond, inner, outer);
   fixed = (Math.abs(least) + pulled(low));
   parts = (fixed + Math.abs(value));
   least_short = ((4.0 * NOISE) * parts);
@@ -1292,30 +1293,30 @@ const stable_radius = (value, found, load, slope_of, pulled, inner, outer = null
     let a, known, lost, more, own, short, slope, step;
     [a, step] = place(t);
     own = load(a);
-    [more, short] = [(own - least), (ends ? math.maximum((top - own), least_short) : 1.0)];
+    [more, short] = [(own - least), (math.truth(ends) ? math.maximum((top - own), least_short) : 1.0)];
     known = (EPS * (fixed + Math.abs(own)));
     lost = (more <= known);
-    more = (lost ? known : more);
-    slope = (((t * step) * slope_of(a)) * ((1.0 / more) + (ends ? (1.0 / short) : 0.0)));
+    more = (math.truth(lost) ? known : more);
+    slope = (((t * step) * slope_of(a)) * ((1.0 / more) + (math.truth(ends) ? (1.0 / short) : 0.0)));
     more = (more / short);
     slope = ((math.logical_not(ends) & (more < (0.5 * wanted))) ? math.maximum(slope, 0.7) : slope);
-    return [more, (lost ? LOST : slope)];
+    return [more, (math.truth(lost) ? LOST : slope)];
   };
   share = (t) => {
     let a, step;
     [a, step] = place(t);
     return ((t * step) / a);
   };
-  short = (ends ? math.maximum((top - value), least_short) : 1.0);
+  short = (math.truth(ends) ? math.maximum((top - value), least_short) : 1.0);
   wanted = ((value < Infinity) ? (math.maximum((value - least), 0.0) / short) : 0.0);
   far = (ends & (wanted > 1.0));
-  [order, least_unit] = [...['order', 'unit']].map((name) => ((outer == null) ? inner[name] : (beyond ? outer[name] : inner[name])));
-  unit = (far ? reach : math.minimum(math.maximum(first, least_unit), largest));
+  [order, least_unit] = [...['order', 'unit']].map((name) => ((outer == null) ? inner[name] : (math.truth(beyond) ? outer[name] : inner[name])));
+  unit = (math.truth(far) ? reach : math.minimum(math.maximum(first, least_unit), largest));
   [scale, slope] = excess(unit);
   ratio = (wanted / scale);
   start = (unit * Math.pow(ratio, (1.0 / (((ratio > 1.0) & math.logical_not(far)) ? 4.0 : order))));
   start = ((ends & (slope === LOST)) ? reach : start);
-  noise = ((NOISE * parts) * (ends ? ((1.0 + wanted) / short) : 1.0));
+  noise = ((NOISE * parts) * (math.truth(ends) ? ((1.0 + wanted) / short) : 1.0));
   t = inverse(excess, wanted, start, [SLACK, Infinity], largest, share, true, noise);
   a = place(t)[0];
   return (((value === Infinity) & (high === Infinity)) ? Infinity : (Number.isFinite(least) ? a : NaN));
@@ -1420,7 +1421,7 @@ const growth_waves = (slope, parameters, order, r, c, a, wavelength, close) => {
     t = Math.sqrt(((r * r) + Math.pow((root + u), 2)));
     return (slope(t, ...parameters) * Math.pow(t, (order - 1)));
   };
-  return math.integral_in_strip(integrand, (holds ? gap : 0.0), wavelength, WAVES_of_slip);
+  return math.integral_in_strip(integrand, (math.truth(holds) ? gap : 0.0), wavelength, WAVES_of_slip);
 };
 
 const _tangential_force = (a, c, R, h, wavelength, E_star, mu) => {
@@ -1428,7 +1429,7 @@ const _tangential_force = (a, c, R, h, wavelength, E_star, mu) => {
   [whole, sticking] = [_force(a, R, h, wavelength, E_star), _force(c, R, h, wavelength, E_star)];
   close = (sticking >= (CLOSE * whole));
   gain = ((2.0 * E_star) * growth_waves(_slope, [R, h, wavelength], 2, 0.0, c, a, wavelength, close));
-  return (mu * (close ? gain : (whole - sticking)));
+  return (mu * (math.truth(close) ? gain : (whole - sticking)));
 };
 
 const tangential_force = (a, c, R, h, wavelength, E_star, mu) => {
@@ -1447,7 +1448,7 @@ const _traction = (r, a, c, R, h, wavelength, E_star, mu) => {
   stuck = _pressure(r, c, R, h, wavelength, E_star);
   close = ((r < c) & (stuck >= (CLOSE * sliding)));
   gain = ((E_star / Math.PI) * growth_waves(_slope, [R, h, wavelength], 0, r, c, a, wavelength, close));
-  return (mu * (close ? gain : (sliding - stuck)));
+  return (mu * (math.truth(close) ? gain : (sliding - stuck)));
 };
 
 const traction = (r, a, c, R, h, wavelength, E_star, mu) => {
@@ -1465,7 +1466,7 @@ const _tangential_displacement = (a, c, R, h, wavelength, E_star, G_star, mu) =>
   [whole, sticking] = [_depth(a, R, h, wavelength), _depth(c, R, h, wavelength)];
   close = (sticking >= (CLOSE * whole));
   gain = growth_waves(_slope, [R, h, wavelength], 1, 0.0, c, a, wavelength, close);
-  return ((mu * (E_star / G_star)) * (close ? gain : (whole - sticking)));
+  return ((mu * (E_star / G_star)) * (math.truth(close) ? gain : (whole - sticking)));
 };
 
 const tangential_displacement = (a, c, R, h, wavelength, E_star, G_star, mu) => {
