@@ -66,6 +66,7 @@ class Printer:
     def __init__(self, chain: tuple[sp.Expr, ...] = (), names: Mapping[sp.Symbol, str] | None = None) -> None:
         self.names = names or {}
         self.samples = samples(chain)
+        self._products, self._signs = _known(chain, frozenset(self.names.items()))
 
     def __call__(self, expr: sp.Expr) -> str:
         if isinstance(expr, sp.Equality):
@@ -74,6 +75,11 @@ class Printer:
 
     def positive(self, expr: sp.Expr) -> bool:
         """Whether the chain makes the expression positive."""
+        if expr not in self._signs:
+            self._signs[expr] = self._is_positive(expr)
+        return self._signs[expr]
+
+    def _is_positive(self, expr: sp.Expr) -> bool:
         if expr.free_symbols == {nt.k}:
             return all(_is_positive(expr.xreplace({nt.k: end})) for end in EXPONENTS_OF_GRADING)
         if not self.samples or expr.free_symbols - set(self.samples[0]):
@@ -101,8 +107,10 @@ class Printer:
 
     def product(self, expr: sp.Expr) -> tuple[int, str]:
         """Sign and LaTeX of one term without its sign."""
-        parts = taken_apart(expr, self.positive)
-        return parts.sign, self._layout(parts)
+        if expr not in self._products:
+            parts = taken_apart(expr, self.positive)
+            self._products[expr] = parts.sign, self._layout(parts)
+        return self._products[expr]
 
     def scaled_sum(self, expr: sp.Expr) -> tuple[int, str, list[tuple[int, str]]] | None:
         """Sign, scale and terms of `scale * (sum)`, for breaking the sum over lines."""
@@ -328,6 +336,14 @@ class Printer:
     def _derivative(self, e: sp.Derivative) -> str:
         """Of a function of the row, f'(t)."""
         return f"{_function_name(type(e.expr))}'({self.sum(e.variables[0])})"
+
+
+@lru_cache(maxsize=256)
+def _known(
+    chain: tuple[sp.Expr, ...], names: frozenset[tuple[sp.Symbol, str]]
+) -> tuple[dict[sp.Expr, tuple[int, str]], dict[sp.Expr, bool]]:
+    """Products and signs that were found: a formula is set several times over until it fits."""
+    return {}, {}
 
 
 def _function_name(kind: type[sp.Function]) -> str:
