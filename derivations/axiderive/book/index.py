@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 
 from .. import notation as nt
+from ..code.text import written
 from ..physics import systems
 from ..rows.ranges import regions
 from ..rows.row import row
@@ -97,10 +98,10 @@ def _profile(problems: Sequence[Problem], derived: Mapping[str, Mapping[str, Ent
         "title": profile.title,
         "subtitle": profile.subtitle,
         "contact": profile.contact,
-        "shape": [_case("" if p.upper is None else f"r < {sp.sstr(p.upper)}", p.expr) for p in profile.pieces],
+        "shape": [_case("" if p.upper is None else f"r < {written(p.upper)}", p.expr) for p in profile.pieces],
         "parameters": [str(getattr(p, "label", p)) for p in profile.parameters],
-        "abbreviations": [f"{symbol} = {sp.sstr(expr)}" for symbol, expr in profile.abbreviations],
-        "rules": [f"{sp.sstr(rule.relation())} ({rule.reason})" for rule in profile.rules],
+        "abbreviations": [f"{symbol} = {written(expr)}" for symbol, expr in profile.abbreviations],
+        "rules": [f"{written(rule.relation())} ({rule.reason})" for rule in profile.rules],
         "validity": profile.validity,
         "sources": list(profile.sources),
         "synonyms": list(profile.synonyms),
@@ -176,7 +177,7 @@ def _cases(entry: Entry) -> list[dict[str, str]]:
     found = []
     for pairs, expr in regions(entry):
         signs = ((low, "<=" if high in entry.borders else "<", high) for low, high in pairs)
-        found.append(_case(" and ".join(f"{sp.sstr(low)} {sign} {sp.sstr(high)}" for low, sign, high in signs), expr))
+        found.append(_case(" and ".join(f"{written(low)} {sign} {written(high)}" for low, sign, high in signs), expr))
     return found
 
 
@@ -186,5 +187,5 @@ def _case(conditions: str, expr: sp.Expr) -> dict[str, str]:
 
 def _text(expr: sp.Expr) -> str:
     if isinstance(expr, sp.Equality):
-        return f"{sp.sstr(expr.lhs)} = {sp.sstr(expr.rhs)}"
-    return str(sp.sstr(expr))
+        return f"{written(expr.lhs)} = {written(expr.rhs)}"
+    return written(expr)

@@ -14,6 +14,7 @@ from ..entry import COMPACT, Entry, Quantity
 from ..letters import name_of
 from ..profiles.profile import Profile
 from .tables import LOADED, OPTIONAL
+from .text import written
 
 WIDTH, LONGEST = 106, 400
 """Characters of a line, and of a formula beyond which its definition says more."""
@@ -183,13 +184,13 @@ def usual(lines: Sequence[str]) -> list[str]:
 
 def formula(profile: Profile, quantity: Quantity, entry: Entry | None) -> list[str]:
     """The formula in plain text, one line per region."""
-    name = sp.sstr(quantity.symbol) if quantity.suffix != "k" else "dF/dd"
+    name = written(quantity.symbol) if quantity.suffix != "k" else "dF/dd"
     if entry is None:
         (place,), rows, lower = quantity.arguments, [], "0"
         for piece in profile.pieces:
             upper = f" < {piece.upper}" if piece.upper is not None else ""
             where = f"{lower} < {place}{upper}" if len(profile.pieces) > 1 else ""
-            rows.append((sp.sstr(piece.expr), where))
+            rows.append((written(piece.expr), where))
             lower = str(piece.upper)
     elif entry.composed and entry.status == "root":
         outer, inner = (COMPACT[suffix] for suffix in entry.composed)
@@ -204,7 +205,7 @@ def formula(profile: Profile, quantity: Quantity, entry: Entry | None) -> list[s
         lines += wrapped(_equation(name, text) + (f"   for {where}" if where else ""))
     for symbol, expr in profile.abbreviations:
         if any(re.search(rf"\b{symbol}\b", text) for text, _ in rows):
-            lines += wrapped(f"with {symbol} = {sp.sstr(expr)}")
+            lines += wrapped(f"with {symbol} = {written(expr)}")
     for meaning in _functions("\n".join(lines)):
         lines += wrapped(meaning)
     return lines
@@ -235,7 +236,7 @@ def _rows(entry: Entry) -> list[tuple[str, str]]:
     if not same:
         return [(_text(case.expr), entry.where(case)) for case in entry.cases]
     return [
-        (_text(expr), " and ".join(f"{sp.sstr(low)} < {sp.sstr(high)}" for low, high in comparisons))
+        (_text(expr), " and ".join(f"{written(low)} < {written(high)}" for low, high in comparisons))
         for comparisons, expr in entry.regions()
     ]
 
@@ -245,14 +246,14 @@ def _pieces(definition: sp.Expr) -> list[tuple[str, str]]:
     if not isinstance(definition, sp.Piecewise):
         return [(_text(definition), "")]
     (first, where), (last, _) = definition.args
-    ends = sp.sstr(where.lts), sp.sstr(where.gts)
+    ends = written(where.lts), written(where.gts)
     return [(_text(first), " < ".join(ends)), (_text(last), " < ".join(reversed(ends)))]
 
 
 def _text(expr: sp.Expr) -> str:
     if isinstance(expr, sp.Eq):
-        return f"{sp.sstr(expr.lhs)} = {sp.sstr(expr.rhs)}"
-    return sp.sstr(expr)
+        return f"{written(expr.lhs)} = {written(expr.rhs)}"
+    return written(expr)
 
 
 def wrapped(text: str, indent: int = 0) -> list[str]:

@@ -31,7 +31,7 @@ from .bodies.regimes import Regimes
 from .function import Function, from_import
 from .module import PLACE, Module
 from .private import PrivateFunctions
-from .text import python
+from .text import python, written
 from .writer import required
 
 SYSTEM = System(PHYSICS, HOMOGENEOUS)
@@ -64,7 +64,7 @@ NUMBERS = "S_m, D_m and W are those of flat punches of all radii t up to the con
 
 
 def _said(table: Mapping[str, sp.Expr]) -> tuple[str, ...]:
-    return tuple(f"{left} = {sp.sstr(right)}" for left, right in table.items())
+    return tuple(f"{left} = {written(right)}" for left, right in table.items())
 
 
 STRESS, (SUNK, OUTWARD), FRICTION = map(_said, (below.STRESS, below.DISPLACEMENT, below.FRICTION))

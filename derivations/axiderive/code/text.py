@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import math
 import re
+from functools import lru_cache
+from typing import Any
 
 import sympy as sp
+from sympy.printing.str import StrPrinter
 
 from .. import notation as nt
 from ..abel import masters
@@ -34,6 +37,21 @@ FUNCTIONS = {
 VARYING = frozenset(("F", "P", "d", "a", "r", "x", "L", "t", "u", "c", "r_zero", "inner", "rho"))
 """Arguments of the functions and radii made from them: all else is one number where the parameters are numbers."""
 SUM, PRODUCT, POWER, ATOM = range(4)
+
+
+# what orders factors and terms asks for the same parts over and over: it was a tenth of a build
+@lru_cache(maxsize=65536)
+def written(expr: sp.Basic) -> str:
+    """The expression as SymPy writes it, each part of it written once."""
+    return str(StrPrinter._print(_TEXT, expr))
+
+
+class _Text(StrPrinter):
+    def _print(self, expr: Any, **settings: Any) -> str:
+        return written(expr) if isinstance(expr, sp.Basic) else str(super()._print(expr, **settings))
+
+
+_TEXT = _Text()
 
 
 def python(expr: sp.Expr) -> str:
@@ -111,21 +129,21 @@ def _rank(expr: sp.Expr) -> tuple[int, list[int], str]:
     return (
         not expr.free_symbols,
         [ORDER.index(name) if name in ORDER else -1 for name in sorted(names)],
-        sp.sstr(expr),
+        written(expr),
     )
 
 
 def _factor_rank(factor: sp.Expr) -> tuple[int, int, str]:
     base = factor.as_base_exp()[0]
     if base.is_number:
-        return (0, 0, sp.sstr(base))
+        return (0, 0, written(base))
     if base.is_Symbol and not isinstance(base, opaque.Named):
         return (1, ORDER.index(base.name) if base.name in ORDER else len(ORDER), base.name)
     if base.is_Function and len(base.free_symbols) == 1 and isinstance(base, (sp.tan, sp.sin, sp.cos)):
-        return (2, 0, sp.sstr(base))
+        return (2, 0, written(base))
     if base.is_Add:
-        return (3, 0, sp.sstr(base))
-    return (4, 0, sp.sstr(base))
+        return (3, 0, written(base))
+    return (4, 0, written(base))
 
 
 def _product(expr: sp.Expr) -> tuple[str, int]:

@@ -19,7 +19,7 @@ from .function import Function, literal
 from .module import Module
 from .private import parameter_name
 from .tables import OPTIONAL
-from .text import python
+from .text import python, written
 
 GRADED = " on a power-law graded half-space"
 """What titles of modules say behind that of the profile."""
@@ -49,7 +49,7 @@ def check(profile: Profile) -> Function:
     lines = [f"require({passed}, **material)"]
     for rule in profile.rules:
         symbols = sorted((str(s) for s in (rule.left.free_symbols | rule.right.free_symbols)), key=names.index)
-        relation = sp.sstr(rule.relation())
+        relation = written(rule.relation())
         arrays = ", ".join(f"np.asarray({name})" for name in symbols)
         lines.append(f"{', '.join(symbols)} = {arrays}")
         sign, left, right = "<" if rule.strict else "<=", rule.left, rule.right

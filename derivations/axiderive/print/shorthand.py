@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 
 import sympy as sp
 
+from ..code.text import written
 from ..notation import R, a, b, n, psi, r, u
 from ..notation import j as index
 from .box import width
@@ -64,7 +65,8 @@ def shortened(expr: sp.Expr, chain: tuple[sp.Expr, ...], width_before: float = 0
     short.taken = {s.name for s in expr.free_symbols}
     if expr.has(sp.Integral):
         _name_radius(short)
-    for amplitude in sorted({call.args[0] for call in _calls(short.expr, ELLIPTIC) if len(call.args) == 2}, key=str):
+    amplitudes = {call.args[0] for call in _calls(short.expr, ELLIPTIC) if len(call.args) == 2}
+    for amplitude in sorted(amplitudes, key=written):
         short.name(amplitude, ANGLE_NAMES)
     for step in (_recurring_roots, _composite_angles, _recurring_angles, _all_roots):
         if width_before + width(Printer(chain, short.names)(short.expr)) <= LINE and not _nested(short.expr):
@@ -130,7 +132,7 @@ def _constants_out(expr: sp.Expr) -> sp.Expr:
 
 def _merged_roots(expr: sp.Expr) -> sp.Expr:
     """sqrt(R - b) sqrt(R + b) -> sqrt(R^2 - b^2), wherever both occur."""
-    for one, other in itertools.combinations(sorted(_radicands(expr), key=str), 2):
+    for one, other in itertools.combinations(sorted(_radicands(expr), key=written), 2):
         twice, gap = one + other, one - other
         if len(one.args) == len(other.args) == 2 and not twice.is_Add and not gap.is_Add:
             whole = sp.sqrt(sp.expand(one * other))
@@ -167,10 +169,10 @@ def _name_radius(short: Short) -> None:
 def _single_terms(body: sp.Expr) -> sp.Expr:
     """The body as a sum of single terms, those of one function together; sums in denominators stay whole."""
     body = body.replace(lambda e: e.is_Pow and e.exp in (sp.S.Half, -sp.S.Half), _one_root)
-    functions = sorted(body.atoms(sp.Function), key=lambda f: (-sp.count_ops(f), str(f)))
+    functions = sorted(body.atoms(sp.Function), key=lambda f: (-sp.count_ops(f), written(f)))
     dummies = {f: sp.Dummy(f"f{i}", positive=True) for i, f in enumerate(functions)}
     body = body.xreplace(dummies)
-    sums = sorted({e.base for e in body.atoms(sp.Pow) if e.base.is_Add and e.exp.is_number}, key=str)
+    sums = sorted({e.base for e in body.atoms(sp.Pow) if e.base.is_Add and e.exp.is_number}, key=written)
     dummies |= (whole := {e: sp.Dummy(f"s{i}", positive=True) for i, e in enumerate(sums)})
     terms = sp.collect(sp.expand(body.xreplace(whole)), [dummies[f] for f in functions], evaluate=False)
     gathered = [(factor if key == 1 else sp.factor(factor)) * key for key, factor in terms.items()]
@@ -187,14 +189,14 @@ def _recurring_angles(short: Short) -> None:
     for angle, name in FIXED.items():
         if short.count(angle) >= 2:
             short.name(angle, (name,))
-    for call in sorted(_calls(short.expr, ANGLES), key=str):
+    for call in sorted(_calls(short.expr, ANGLES), key=written):
         if short.count(call) >= 2 and call not in FIXED:
             short.name(call, ANGLE_NAMES)
 
 
 def _composite_angles(short: Short) -> None:
     """Angles whose argument is a root or a quotient of roots."""
-    for call in sorted(_calls(short.expr, ANGLES), key=str):
+    for call in sorted(_calls(short.expr, ANGLES), key=written):
         if call.atoms(sp.Pow) and any(p.exp.is_Rational and p.exp.q == 2 for p in call.atoms(sp.Pow)) and _nested(call):
             short.name(call, ANGLE_NAMES)
 
@@ -211,7 +213,7 @@ def _all_roots(short: Short) -> None:
 
 
 def _familiar_first(base: sp.Expr) -> tuple[bool, str]:
-    return base not in ROOTS, str(base)
+    return base not in ROOTS, written(base)
 
 
 def _name_root(short: Short, base: sp.Expr) -> None:

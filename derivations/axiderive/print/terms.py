@@ -16,6 +16,7 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 
 from .. import notation as nt
+from ..code.text import written
 
 Factor = tuple[sp.Expr, sp.Expr]
 """Base and exponent."""
@@ -259,13 +260,13 @@ def factor_key(factor: Factor) -> tuple[int, int, str]:
     if isinstance(base, sp.Indexed):
         return (2, ORDER.index("A"), "")
     if base.is_Add and is_scale(base):  # (n+1) F, for F (n+1) would read as a function
-        return (2, ORDER.index("j"), str(base))
+        return (2, ORDER.index("j"), written(base))
     if isinstance(base, sp.gamma):  # a number: before the lengths, for tan theta Gamma(x) reads as tan(theta Gamma(x))
-        return (2, ORDER.index("j"), f"~{base}")
+        return (2, ORDER.index("j"), f"~{written(base)}")
     if isinstance(base, TRIGONOMETRIC):
-        return (3, TRIGONOMETRIC.index(type(base)), str(base))
+        return (3, TRIGONOMETRIC.index(type(base)), written(base))
     kinds = (sp.Pow, sp.Add, sp.Function, sp.Sum, sp.Integral)
-    return (4 + next((i for i, kind in enumerate(kinds) if isinstance(base, kind)), len(kinds)), 0, str(base))
+    return (4 + next((i for i, kind in enumerate(kinds) if isinstance(base, kind)), len(kinds)), 0, written(base))
 
 
 @lru_cache(maxsize=65536)
@@ -273,7 +274,7 @@ def term_key(term: sp.Expr) -> tuple[Any, ...]:
     """Integrals last, plain numbers before them, then by falling powers in the order of the symbols."""
     powers = term.as_powers_dict()
     degrees = tuple(-float(powers.get(s, 0)) if powers.get(s, sp.S.Zero).is_number else -1.0 for s in _SYMBOLS)
-    return (bool(term.atoms(sp.Integral)), term.is_number, degrees, str(term))
+    return (bool(term.atoms(sp.Integral)), term.is_number, degrees, written(term))
 
 
 _SYMBOLS = tuple(nt.describe(name).symbol for name in ORDER if nt.known(name))
