@@ -160,7 +160,7 @@ class Field:
             return Greatest(math.inf, place, 0.0)
         best, width = Greatest(-math.inf, *start), 2 * STEP
         for _ in range(ZOOMS):
-            grid = np.linspace(-width, width, 7)
+            grid = np.linspace(-width, width, 5)
             across = np.unique(best.x + grid) if mu else np.unique(np.abs(best.x + grid))
             tried = [self._near(float(x), float(z), mu) for x in across for z in {*np.maximum(best.z + grid, CLOSE)}]
             best, width = max([best, *tried], key=lambda one: one.value), width / 2
