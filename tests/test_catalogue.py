@@ -24,7 +24,7 @@ from axiderive.physics.systems import BY_NAME, SYSTEMS, Problem, problems
 from axiderive.profiles.pools import BODIES
 from axiderive.stable.measure import closure
 from axiderive.stable.records import MEASURED
-from axiderive.store.index import loads
+from axiderive.store.index import dumps, loads
 
 CATALOGUE = Path(__file__).resolve().parents[1] / "catalogue"
 PROBLEMS = {problem.key: problem for problem in problems()}
@@ -125,6 +125,16 @@ def functions(path: Path) -> set[str]:
 @functools.cache
 def index() -> dict:
     return loads((CATALOGUE / "axicontact" / "index.json").read_text())
+
+
+@pytest.mark.parametrize("profile", ["quartic", "plane.wedge"])
+def test_the_index_of_one_profile_in_that_of_all_changes_no_line(profile):
+    text = (CATALOGUE / "axicontact" / "index.json").read_text()
+    whole = loads(text)
+    own = loads(dumps({**whole, "entries": [row for row in whole["entries"] if row["profile"] == profile]}))
+    rows = {row["key"]: row for row in own["entries"]}
+    assert rows
+    assert dumps({**whole, "entries": [rows.get(row["key"], row) for row in whole["entries"]]}) == text
 
 
 @pytest.mark.parametrize("key", ["truncated_paraboloid", "paraboloid.adh", "flat_punch.fgm"])

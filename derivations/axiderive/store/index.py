@@ -17,7 +17,11 @@ Row = dict[str, Any]
 PREFIX = "axicontact."
 ALIKE = ("label", "symbol", "status", "definition")
 """What most entries of a quantity of a physics say alike, which stands once in the file."""
-FIRST = ("key", "problem", "profile", "physics", "quantity", "label", "symbol", "status", "cases", "latex")
+FIRST = (
+    *("key", "problem", "profile", "physics", "quantity", "label", "symbol", "status"),
+    *("cases", "latex", "composed", "definition"),
+)
+"""Fields as every entry has them in order, whether or not they are told once for all."""
 
 
 def dumps(record: Mapping[str, Any]) -> str:
