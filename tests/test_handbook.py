@@ -31,7 +31,7 @@ from axiderive.rows.laws import universal_rows
 SAMPLE = ("cone", "rounded_punch", "capped_cylinder", "plane.wedge", "loads.power", "materials")
 """Profiles that bring every kind of row, one of them in complete contact."""
 BOOK = Path(__file__).parents[1] / "catalogue" / "handbook"
-PARTIAL, LEFT_OUT = "rounded_punch", "rounded_punch.tan"
+PARTIAL, LEFT_OUT = "flat_punch", "flat_punch.adh"
 """A profile composed anew, with a problem that counts as one whose check failed."""
 
 
