@@ -57,7 +57,7 @@ def test_section(section: str) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("section", SECTIONS)
+@pytest.mark.parametrize("section", few(SECTIONS, ["normal", "graded adhesive", "tangential"]))
 def test_section_with_other_draws(section: str) -> None:
     """One that neither the build nor the plain run draws."""
     assert_verdicts(list(chapter.run(SECTIONS[section], DIGITS, seed=2, draws=1)))
