@@ -144,7 +144,9 @@ def replaced(module: str, function: str, source: ast.Module) -> Iterator[None]:
 def without(guard: Guard) -> Any:
     """The prover without one refusal."""
     tree = ast.parse(inspect.getsource(_module(guard.module)))
-    return replaced(guard.module, guard.function, _Without(guard.line).visit(tree))
+    (node,) = (each for name, each in _functions(tree.body) if name == guard.function)
+    _Without(guard.line).visit(node)
+    return replaced(guard.module, guard.function, tree)
 
 
 def altered(module: str, function: str, old: str, new: str) -> Any:

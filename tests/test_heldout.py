@@ -33,6 +33,11 @@ def random_profile(seed: int) -> Profile:
     source = random.Random(seed)
     polynomials = [sp.S.Zero if seed % 5 == 0 else random_polynomial(source)]
     polynomials += [source.choice((1, -1)) * random_polynomial(source) for _ in range(2)]
+    return profile_of(f"heldout{seed}", polynomials)
+
+
+def profile_of(name: str, polynomials: list[sp.Expr]) -> Profile:
+    """Pieces that rise as polynomials do, each from where the one before ends."""
     pieces, height, start = [], sp.S.Zero, sp.S.Zero
     for upper, polynomial in zip((B1, B2, None), polynomials, strict=True):
         expr = sp.expand(height + polynomial - polynomial.subs(r, start))
@@ -40,7 +45,7 @@ def random_profile(seed: int) -> Profile:
         if upper is not None:
             height, start = expr.subs(r, upper), upper
     return Profile(
-        name=f"heldout{seed}", title="", subtitle="", contact="compact", parameters=(B1, B2), pieces=tuple(pieces),
+        name=name, title="", subtitle="", contact="compact", parameters=(B1, B2), pieces=tuple(pieces),
         validity="", sources=(), sketch=Sketch((), a=1.0),
     )  # fmt: skip
 
@@ -80,8 +85,11 @@ def random_point(chain: tuple[sp.Symbol, ...], source: random.Random) -> dict[sp
 
 
 def check(seed: int) -> None:
-    profile, entries = derived(seed)
-    source = random.Random(1000 + seed)
+    checked(*derived(seed), random.Random(1000 + seed))
+
+
+def checked(profile: Profile, entries: dict[str, Entry], source: random.Random) -> None:
+    """Every case at a point of its region, against the definition."""
     for suffix in ("d", "F", "p", "w"):
         assert entries[suffix].status == "closed"
         for case in entries[suffix].cases:
@@ -110,3 +118,11 @@ def test_closed_forms_of_many_random_profiles(seed):
 def test_every_place_among_the_breaks_is_a_case(seed, counts):
     _, entries = derived(seed)
     assert [len(entries[suffix].cases) for suffix in ("d", "F", "p", "w")] == counts
+
+
+def test_a_paraboloid_that_changes_its_curvature_twice() -> None:
+    """The path of the random ones, by what is quickest to derive."""
+    profile = profile_of("paraboloids", [r**2, r**2 / 2, 3 * r**2])
+    entries = derive(profile)
+    assert [len(entries[suffix].cases) for suffix in ("d", "F", "p", "w")] == [3, 3, 6, 6]
+    checked(profile, entries, random.Random(7))

@@ -32,13 +32,13 @@ def test_plain_functions_agree_with_the_bodies() -> None:
             formula = plain(function)
             if formula is None:
                 continue
-            for _ in range(8):
+            for _ in range(4):
                 values = [float(10 ** dice.uniform(-1, 1)) for _ in range(arguments)]
                 got = formula(*values)
                 if got is not None:
                     np.testing.assert_allclose(got, body(function, *values), rtol=64 * EPS, err_msg=function.__name__)
                     count += 1
-    assert count > 500
+    assert count > 250
 
 
 @pytest.mark.parametrize("module", [truncated_cone, rounded_punch])

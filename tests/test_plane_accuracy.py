@@ -17,6 +17,7 @@ import numpy as np
 import pytest
 import sympy as sp
 from plane_modules import ACCURACY, CONCAVE, SMOOTH, entries, written
+from stored_book import evidence, stored
 
 from axiderive import notation as nt
 from axiderive.code.plane import module
@@ -92,12 +93,25 @@ def worst(module: ModuleType, name: str, suffix: str, count: int) -> tuple[float
     return found
 
 
-@pytest.mark.parametrize("count", [40, pytest.param(400, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("name", SMOOTH)
-def test_accuracy_against_the_exact_entries(name: str, count: int, plane_module: Callable[[str], ModuleType]) -> None:
+def test_accuracy_against_the_exact_entries(name: str) -> None:
+    """What the build has measured at thirty points of either domain; `test_catalogue` asks whether of these modules."""
+    key = f"plane.{name}"
+    recorded = evidence(key)["evaluation"]
+    # the place of zero pressure of a power is an equation in x and n, measured below
+    assert recorded.keys() == stored(key).keys() - ({"xz"} if name == "concave_power" else set())
+    for suffix, row in recorded.items():
+        for found in (row[domain.name] for domain in DOMAINS):
+            assert found["points"] and not found["lost"]
+            assert min(found["worst_ulp"], found.get("over_condition", math.inf)) <= UNITS, (key, suffix, found)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", SMOOTH)
+def test_accuracy_at_more_points(name: str, plane_module: Callable[[str], ModuleType]) -> None:
     for suffix in entries(name):
         # the place of zero pressure of a power is searched in many digits for every value
-        error, where = worst(plane_module(name), name, suffix, count // 5 if name == "concave_power" else count)
+        error, where = worst(plane_module(name), name, suffix, 80 if name == "concave_power" else 400)
         assert error <= UNITS, (suffix, where)
 
 
@@ -168,8 +182,8 @@ def test_accuracy_of_the_eccentric_punch(domain: Domain, plane_module: Callable[
     """A load on either side, next to the middle, to lift-off and to overturning, and places next to either end."""
     module, own = plane_module("eccentric_punch"), entries("eccentric_punch")
     for suffix, entry in own.items():
-        points = list(samples(own, suffix, domain, 360))
-        assert len(points) > 320
+        points = list(samples(own, suffix, domain, 120))
+        assert len(points) > 100
         for point in points:
             error = ulps(measured(getattr(module, entry.quantity.function), point), point.exact)
             assert error <= UNITS, (suffix, point.arguments, point.keywords)

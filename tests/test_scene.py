@@ -113,11 +113,7 @@ def test_the_test_fails_for_a_wrong_module(needle, tmp_path):
     assert done.returncode == 1
 
 
-def test_the_same_scene_gives_the_same_bytes():
-    assert composed_from(NEEDLE + NO_PDF).files == composed_from(NEEDLE + NO_PDF).files
-
-
-def test_a_scene_of_the_catalogue_derives_nothing(monkeypatch):
+def test_a_scene_of_the_catalogue_derives_nothing_and_gives_the_same_bytes(needle, monkeypatch):
     """Formulas and modules are those that are stored; what SymPy is slow at is not called."""
 
     def refused(*arguments: object, **more: object) -> object:
@@ -128,7 +124,9 @@ def test_a_scene_of_the_catalogue_derives_nothing(monkeypatch):
         monkeypatch.setattr(module, "derive", refused)
     for name in ("integrate", "simplify", "limit", "solve"):
         monkeypatch.setattr(sp, name, refused)
-    assert composed_from(NEEDLE + NO_PDF).files
+    files = composed_from(NEEDLE + NO_PDF).files
+    assert files == {name: (needle / name).read_bytes() for name in files}
+    assert "profiles/cone.tex" in files
 
 
 def test_free_parameters_stay_keywords_and_are_checked():

@@ -73,7 +73,7 @@ def passes(module_text: str, test_text: str, monkeypatch: pytest.MonkeyPatch) ->
 
 
 CASES = [
-    *(pytest.param(SCENES[name], 3, id=f"some of {name}") for name in ("outside the normal form", "breaks")),
+    *(pytest.param(SCENES[name], 6, id=f"some of {name}") for name in ("outside the normal form", "breaks")),
     *(pytest.param(source, 1, id=name, marks=pytest.mark.slow) for name, source in SCENES.items()),
 ]
 

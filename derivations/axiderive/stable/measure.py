@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import ast
 import math
+import re
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -236,17 +237,15 @@ def _imported(sources: Mapping[str, str], path: str) -> Iterator[str]:
                 yield from sorted(module for module in modules if module in sources)
 
 
+_IMPORT = re.compile(r"^ *from (\.+)([\w.]*) import (?:\(([^)]*)\)|(.*))$", re.MULTILINE)
+
+
 @cache
 def _imports(text: str) -> tuple[list[tuple[int, str, list[str]]], set[tuple[str, str]]]:
-    """The relative imports of a module, and which attributes it takes of which names; the run time is read often."""
-    nodes = list(ast.walk(ast.parse(text)))
-    asked = {
-        (node.value.id, node.attr)
-        for node in nodes
-        if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name)
-    }
-    imports = [node for node in nodes if isinstance(node, ast.ImportFrom) and node.level]
-    return [(node.level, node.module or "", [alias.name for alias in node.names]) for node in imports], asked
+    """The relative imports as a formatter leaves them, and what may be attributes; to parse all modules took 8 s."""
+    found = [(len(dots), module, (several or one).split(",")) for dots, module, several, one in _IMPORT.findall(text)]
+    imports = [(level, module, [name.split()[0] for name in names if name.strip()]) for level, module, names in found]
+    return imports, set(re.findall(r"\b(\w+)\.(\w+)", text))
 
 
 ELEMENTARY = (
