@@ -5,7 +5,7 @@ A strip gives its numbers in the terms of a round contact, so that sketch, plots
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from contextlib import suppress
 from typing import Any
 
@@ -41,11 +41,6 @@ def sketch_values(profile: Profile) -> Values:
     return values
 
 
-def _regular(integrand: Callable[[Any], Any], low: Any, high: Any) -> Any:
-    """An integral by Gauss's rule: those of the entries are regular, and mpmath's own choice takes twice as long."""
-    return mp.quad(integrand, (low, high), method="gauss-legendre")
-
-
 class Numbers:
     """Evaluates the entries of one profile."""
 
@@ -79,7 +74,7 @@ class Numbers:
                 # a C0 takes Arb a hundredth of the time of mpmath's rule
                 with suppress(NotAvailableError):
                     return enclose_value(case.expr, values, self.digits)
-            return mp.re(evaluated(case.expr, values, _regular))
+            return mp.re(evaluated(case.expr, values))
 
     def place(self, suffix: str) -> sp.Symbol:
         """The coordinate a field is asked for at: r or x, and L of the depth of a strip."""
