@@ -69,8 +69,6 @@ iterates may differ by.
 The functions of `math` differ in the last place, and a power of the time, or a difference of two parts, makes more of
 that.
 """
-TURNED = 6e-3
-"""The share of stresses below a turned punch in JavaScript that differ by 5 to 8 units: 15 of 3200."""
 WAVES = 12.0
 """The same beside waves: a unit of the radius moves a displacement by ten there, and 10 were the most of 1e4."""
 SUMS = re.compile(r"\b(for|while) \(|math\.(rule|in_groups|integral|products|fsum|sum|reduce)\b")
@@ -289,8 +287,7 @@ def test_programs_give_the_numbers_of_the_package(language: str, group: str, cou
     worst, beyond, total = judged(row for name in names for row in compared(language, group, name, count))
     assert total >= count
     assert not worst, "\n".join(worst)
-    rare = TURNED if group == "torsion" else RARE
-    assert len(beyond) <= rare * total + 1, f"{len(beyond)} of {total} values differ by more than 4 units"
+    assert len(beyond) <= RARE * total + 1, f"{len(beyond)} of {total} values differ by more than 4 units"
 
 
 @pytest.mark.sweep
@@ -359,23 +356,24 @@ def test_domains_and_their_ends_are_those_of_the_package(
 
 
 @pytest.mark.skipif(NODE is None, reason="no node 18 or later: apt-get install nodejs")
-@pytest.mark.parametrize("name", ["gamma", "lgamma", "fsum", "frexp", "nextafter"])
+@pytest.mark.parametrize("name", ["gamma", "lgamma", "hypot", "fsum", "frexp", "nextafter"])
 def test_what_javascript_lacks_is_that_of_python(name: str) -> None:
     dice = np.random.default_rng(2)
     own = {"gamma": dice.uniform(0.6, 160.0, 200), "lgamma": dice.uniform(100.0, 1e4, 200)}
     drawn_ones = own.get(name, 10.0 ** dice.uniform(-300.0, 300.0, 200) * dice.choice([-1.0, 1.0], 200)).tolist()
     calls = {
         "fsum": [[drawn_ones[start : start + 20]] for start in range(0, 200, 20)],
+        "hypot": [[x, x * factor] for x, factor in zip(drawn_ones, dice.uniform(0.1, 10.0, 200), strict=True)],
         "nextafter": [[x, x * factor] for x, factor in zip(drawn_ones, (0.5, 2.0) * 100, strict=True)],
     }.get(name, [[x] for x in drawn_ones])
     text = f"{HELPERS.read_text()}\nconsole.log(JSON.stringify({json.dumps(calls)}.map((x) => math.{name}(...x))));"
     done = subprocess.run([str(NODE), "-"], input=text, capture_output=True, text=True, check=True, timeout=60)
     there = np.array(json.loads(done.stdout), float)
     here = np.array([getattr(math, name)(*given) for given in calls], float)
-    assert (
-        np.abs(here - there)
-        <= (4.0 if name == "gamma" else 2.0 if name == "lgamma" else 0.0) * np.spacing(np.abs(here))
-    ).all()
+    errors = np.abs(here - there) / np.spacing(np.abs(here))
+    assert errors.max() <= {"gamma": 4.0, "lgamma": 2.0, "hypot": 1.0}.get(name, 0.0)
+    # Math.hypot is off in more than a third of all places
+    assert name != "hypot" or np.count_nonzero(errors) <= 4
 
 
 def test_what_has_no_program_is_refused(package: Package) -> None:
@@ -394,10 +392,10 @@ def test_what_has_no_program_is_refused(package: Package) -> None:
 
 
 def lacking(language: str, one: Asked) -> bool:
-    """Whether a function has no program in a language: waves on the graded half-space, and in C cohesive zones."""
+    """Whether a function has no program in a language: waves on the graded half-space, and searches over lists in C."""
     waves = one.module.startswith("graded.") and one.module.endswith(".wavy_paraboloid") and one.function != "profile"
     zones = language == "c" and one.module.startswith("cohesive.")
-    return waves or (zones and one.function not in ("without_contact", "work_of_separation"))
+    return waves or (zones and (one.function == "pull_off" or "_from_" in one.function))
 
 
 @pytest.mark.parametrize("language", LANGUAGES)

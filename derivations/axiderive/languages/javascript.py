@@ -21,11 +21,12 @@ HELPERS = Path(__file__).with_name("numbers.js")
 """What the language lacks: functions of Python's `math`, of NumPy for single numbers, and rules of integration."""
 OF_MATH = {
     **{name: f"Math.{name}" for name in ("sqrt", "exp", "expm1", "log", "log1p", "sin", "cos", "tan", "atan", "atan2")},
-    **{name: f"Math.{name}" for name in ("asinh", "atanh", "sinh", "cosh", "tanh", "cbrt", "hypot", "floor", "ceil")},
+    **{name: f"Math.{name}" for name in ("asinh", "atanh", "sinh", "cosh", "tanh", "cbrt", "floor", "ceil")},
     **{name: f"Math.{name}" for name in ("acos", "asin", "acosh", "abs")},
     **{"pow": "Math.pow", "inf": "Infinity", "nan": "NaN", "pi": "Math.PI", "e": "Math.E"},
     **{"isfinite": "Number.isFinite", "isnan": "Number.isNaN"},
     **{name: f"math.{name}" for name in ("fsum", "gamma", "lgamma", "ldexp", "frexp", "nextafter", "prod", "copysign")},
+    "hypot": "math.hypot",
 }
 """Names of Python's `math` here."""
 OF_NUMPY = OF_MATH | {
