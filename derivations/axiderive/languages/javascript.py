@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import TypeVar
 
 from .public import FORMULAS, PROGRAMS
-from .reach import PLAIN, PRODUCTS, Module, Name, NoProgramError, Package
+from .reach import KEPT, PLAIN, PRODUCTS, Module, Name, NoProgramError, Package
 from .searches import OWN, RADII, SAMPLES, radii, springs
 
 Part = TypeVar("Part")
@@ -49,8 +49,6 @@ OF_PYTHON = {
 """Names of Python itself."""
 RULED = re.compile(r"math\.(rule|in_groups|integral|products)")
 """What needs the nodes of the rules."""
-KEPT = "cache", "Kept"
-"""Decorators of what is kept for the geometries of the last calls."""
 WORDS = frozenset(("default", "function", "var", "const", "new", "this", "delete", "switch", "case", "void", "enum"))
 """Names that mean something else here."""
 SIGNS = {

@@ -327,7 +327,7 @@ class Calls(Expressions):
         *others, table = (NODES.format(one) for one in sizes)
         for one, name in zip(sizes, others, strict=False):
             table = f"{bracketed(size, 5)} == {one} ? {name} : {table}"
-        self.emit(f"{own.text} = products_of({table}, {size.text}, {x.text}, {int(beyond)}, {weights.text});", None,
+        self.emit(f"{own.text} = products_of({table}, {size.text}, {x.text}, {int(beyond)}, &{weights.text});", None,
                   own.names | size.names | x.names | weights.names | {NODES.format(one) for one in sizes})  # fmt: skip
         return own
 

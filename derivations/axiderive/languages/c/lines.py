@@ -125,7 +125,11 @@ def like(name: str) -> Iterator[str]:
 
 def declared(kind: str, name: str) -> str:
     """The declaration of a variable of a kind."""
-    own = {"sum": f"struct sum {name}", "pairs": f"struct pairs {name}", "weights": f"double {name}[64]"}
+    kind, _, count = kind.partition(" ")
+    own = {
+        "sum": f"struct sum {name}", "pairs": f"struct pairs {name}", "weights": f"KEPT struct products {name} = {{0}}",
+        "kept": f"KEPT double {name}[{count}] = {{0}}" if count else f"KEPT int {name} = 0",
+    }  # fmt: skip
     return own.get(kind, f"{kind} {name} = 0")
 
 

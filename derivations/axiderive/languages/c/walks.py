@@ -131,6 +131,7 @@ class Walks(Calls):
         radii = found.radii
         end, count = radii.last, bracketed(radii.count, 5)
         self.emit(f"{opened.text} = 0;", None, opened.names)
+        at = len(self.lines)
         head = f"for ({place.text} = 0; {place.text} <= {count}; {place.text}++) {{"
         self.emit(head, None, place.names | radii.count.names)
         self.depth += 1
@@ -144,7 +145,7 @@ class Walks(Calls):
         self.emit("} else {")
         self.depth += 1
         self.set(a, radii.radius(place))
-        self.set(own, self.call(found.steepness, [a], {}, scope))
+        kept = self._sample(found, a, own, place, scope, at)
         self.emit(
             f"{rises.text} = {own.text} >= {found.level.text};", None, rises.names | own.names | found.level.names
         )
@@ -160,7 +161,19 @@ class Walks(Calls):
                  "after": own, "sign": Number(f"{rises.text} ? 1.0 : -1.0", "double", 0, rises.names)}  # fmt: skip
         inner = Scope(module, names=names, divided=1)
         names["above"] = Closure(ABOVE, module, inner)
-        change = number_of(self.expr(CHANGE, inner))
+        change = self.variable("change", "double")
+        if kept:
+            at, of = (f"{one.text}[{place.text}]" for one in kept)
+            names_kept = kept[0].names | kept[1].names | place.names | found.level.names
+            self.emit(f"if ({of} != {found.level.text}) {{", None, names_kept)
+            self.depth += 1
+        self.set(change, self.expr(CHANGE, inner))
+        if kept:
+            self.emit(f"{at} = {change.text};", None, names_kept | change.names)
+            self.emit(f"{of} = {found.level.text};", None, names_kept)
+            self.depth -= 1
+            self.emit("}")
+            self.emit(f"{change.text} = {at};", None, names_kept | change.names)
         self.emit(f"if ({rises.text}) {{", None, rises.names)
         self.depth += 1
         self.emit(f"{first.text} = lower({change.text}, nextafter({end.text}, 0.0));", None,
@@ -188,6 +201,42 @@ class Walks(Calls):
         self.depth -= 1
         scope.divided -= 1
         self.emit("}")
+
+    def _sample(self, found: Found, a: Number, own: Number, place: Number, scope: Scope, head: int) -> list[Number]:
+        """The steepness at a radius in a loop whose head is that line; what was sampled stays for the same geometry.
+
+        So do, in two further tables, the changes that are found from there on, and the levels they were found for.
+        """
+        old, before = set(self.kinds), len(self.lines)
+        self.depth += 1
+        self.set(own, self.call(found.steepness, [a], {}, scope))
+        self.depth -= 1
+        lines = self.lines[before:]
+        made = {name for _, _, name, _ in lines} | a.names
+        given = sorted({name for *_, needs in lines for name in needs & old} - made)
+        count = found.radii.count.text
+        if not (count.isdecimal() and given):
+            self.lines[before:] = [(depth - 1, *line) for depth, *line in lines]
+            return []
+        steep, changes, levels = (self.variable(one, f"kept {count}") for one in ("sampled", "changes", "changes_of"))
+        of = self.variable("sampled_of", f"kept {len(given)}")
+        there = self.variable("sampled_there", "kept")
+        del self.lines[before:]
+        names = steep.names | there.names | place.names
+        self.emit(f"if ({place.text} < {there.text}) {{", None, names)
+        self.emit(f"  {own.text} = {steep.text}[{place.text}];", None, names | own.names)
+        self.emit("} else {")
+        self.lines += lines
+        self.emit(f"  {steep.text}[{place.text}] = {own.text};", None, names | own.names)
+        self.emit(f"  {levels.text}[{place.text}] = NAN;", None, names | levels.names)
+        self.emit(f"  {there.text} = {place.text} + 1;", None, names)
+        self.emit("}")
+        others = " || ".join(f"{of.text}[{at}] != {name}" for at, name in enumerate(given))
+        changed = [f"if ({others}) {{", *(f"  {of.text}[{at}] = {name};" for at, name in enumerate(given)),
+                   f"  {there.text} = 0;", "}"]  # fmt: skip
+        depth = self.lines[head][0]
+        self.lines[head:head] = [(depth, text, None, of.names | there.names | {*given}) for text in changed]
+        return [changes, levels]
 
     def lowest(self, found: Found, load: Value, scope: Scope) -> Number:
         """The radius at the start of a branch at which a load is least."""
