@@ -163,17 +163,19 @@ class Walks(Calls):
         names["above"] = Closure(ABOVE, module, inner)
         change = self.variable("change", "double")
         if kept:
-            at, of = (f"{one.text}[{place.text}]" for one in kept)
-            names_kept = kept[0].names | kept[1].names | place.names | found.level.names
-            self.emit(f"if ({of} != {found.level.text}) {{", None, names_kept)
+            known_change, known_level = (replace(one, text=f"{one.text}[{place.text}]", names=one.names | place.names)
+                                         for one in kept)  # fmt: skip
+            test = f"if ({known_level.text} != {found.level.text}) {{"
+            self.emit(test, None, known_level.names | found.level.names)
             self.depth += 1
-        self.set(change, self.expr(CHANGE, inner))
-        if kept:
-            self.emit(f"{at} = {change.text};", None, names_kept | change.names)
-            self.emit(f"{of} = {found.level.text};", None, names_kept)
+            self.set(change, self.expr(CHANGE, inner))
+            self.emit(f"{known_change.text} = {change.text};", None, known_change.names | change.names)
+            self.emit(f"{known_level.text} = {found.level.text};", None, known_level.names | found.level.names)
             self.depth -= 1
             self.emit("}")
-            self.emit(f"{change.text} = {at};", None, names_kept | change.names)
+            self.set(change, known_change)
+        else:
+            self.set(change, self.expr(CHANGE, inner))
         self.emit(f"if ({rises.text}) {{", None, rises.names)
         self.depth += 1
         self.emit(f"{first.text} = lower({change.text}, nextafter({end.text}, 0.0));", None,
@@ -216,7 +218,7 @@ class Walks(Calls):
         given = sorted({name for *_, needs in lines for name in needs & old} - made)
         count = found.radii.count.text
         if not (count.isdecimal() and given):
-            self.lines[before:] = [(depth - 1, *line) for depth, *line in lines]
+            self.lines[before:] = [(depth - 1, text, sets, needs) for depth, text, sets, needs in lines]
             return []
         steep, changes, levels = (self.variable(one, f"kept {count}") for one in ("sampled", "changes", "changes_of"))
         of = self.variable("sampled_of", f"kept {len(given)}")
