@@ -14,6 +14,8 @@ from ..reach import Module
 from .calls import Calls
 from .values import Closure, Native, Number, Record, Scope, Text, Value, bracketed, literal, number_of, variables_of
 
+MOST = 512
+"""Radii of which a search keeps what it found, where the program finds how many there are."""
 ABOVE = ast.Lambda(
     ast.arguments([], [ast.arg("a")], None, [], [], None, []),
     ast.parse("_log(steepness(a) / level)", mode="eval").body,
@@ -163,8 +165,7 @@ class Walks(Calls):
         names["above"] = Closure(ABOVE, module, inner)
         change = self.variable("change", "double")
         if kept:
-            known_change, known_level = (replace(one, text=f"{one.text}[{place.text}]", names=one.names | place.names)
-                                         for one in kept)  # fmt: skip
+            known_change, known_level = kept
             test = f"if ({known_level.text} != {found.level.text}) {{"
             self.emit(test, None, known_level.names | found.level.names)
             self.depth += 1
@@ -214,12 +215,16 @@ class Walks(Calls):
         self.set(own, self.call(found.steepness, [a], {}, scope))
         self.depth -= 1
         lines = self.lines[before:]
+        radii, read = found.radii, {name for *_, needs in lines for name in needs}
         made = {name for _, _, name, _ in lines} | a.names
-        given = sorted({name for *_, needs in lines for name in needs & old} - made)
-        count = found.radii.count.text
-        if not (count.isdecimal() and given):
+        given = sorted(((read & old) - made) | radii.length.names | radii.count.names)
+        if not given:
             self.lines[before:] = [(depth - 1, text, sets, needs) for depth, text, sets, needs in lines]
             return []
+        whole = radii.count.text.isdecimal()
+        # beyond, the last place serves all radii, each for itself
+        count = radii.count.text if whole else str(MOST)
+        slot = place.text if whole else f"{place.text} < {MOST - 1} ? {place.text} : {MOST - 1}"
         steep, changes, levels = (self.variable(one, f"kept {count}") for one in ("sampled", "changes", "changes_of"))
         of = self.variable("sampled_of", f"kept {len(given)}")
         there = self.variable("sampled_there", "kept")
@@ -229,16 +234,17 @@ class Walks(Calls):
         self.emit(f"  {own.text} = {steep.text}[{place.text}];", None, names | own.names)
         self.emit("} else {")
         self.lines += lines
-        self.emit(f"  {steep.text}[{place.text}] = {own.text};", None, names | own.names)
-        self.emit(f"  {levels.text}[{place.text}] = NAN;", None, names | levels.names)
-        self.emit(f"  {there.text} = {place.text} + 1;", None, names)
+        self.emit(f"  {steep.text}[{slot}] = {own.text};", None, names | own.names)
+        self.emit(f"  {levels.text}[{slot}] = NAN;", None, names | levels.names)
+        within = "" if whole else f"if ({place.text} < {MOST - 1}) "
+        self.emit(f"  {within}{there.text} = {place.text} + 1;", None, names)
         self.emit("}")
         others = " || ".join(f"{of.text}[{at}] != {name}" for at, name in enumerate(given))
         changed = [f"if ({others}) {{", *(f"  {of.text}[{at}] = {name};" for at, name in enumerate(given)),
                    f"  {there.text} = 0;", "}"]  # fmt: skip
         depth = self.lines[head][0]
         self.lines[head:head] = [(depth, text, None, of.names | there.names | {*given}) for text in changed]
-        return [changes, levels]
+        return [replace(one, text=f"{one.text}[{slot}]", names=one.names | place.names) for one in (changes, levels)]
 
     def lowest(self, found: Found, load: Value, scope: Scope) -> Number:
         """The radius at the start of a branch at which a load is least."""
