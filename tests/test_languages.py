@@ -462,6 +462,23 @@ def searched(x, y):
     return t
 
 
+def followed(x, y):
+    looked = []
+
+    def curve(t):
+        looked.append((t, t * y))
+        return t * t - x
+
+    t = 1.0
+    for _ in range(40):
+        value = curve(t)
+        if abs(value) < 1e-12:
+            break
+        t = t - value / (2.0 * t)
+    (before, _), (last, rate) = (looked[-2:][0], looked[-1])
+    return last - 2.0 * before + rate
+
+
 def chosen(x, y):
     least, most = (x, y) if x < y else (y, x)
     total = [sqrt(least * k) for k in range(1, 4)]
@@ -479,9 +496,9 @@ def chosen(x, y):
 
 
 @needs_cc
-@pytest.mark.parametrize("name", ["swapped", "searched", "chosen"])
+@pytest.mark.parametrize("name", ["swapped", "searched", "followed", "chosen"])
 def test_statements_mean_in_c_what_they_mean_in_python(package: Package, name: str, tmp_path: Path) -> None:
-    """Assignments side by side, loops that are left, results at several places, functions within functions."""
+    """Assignments side by side, loops that are left, results at several places, functions within functions, lists."""
     there = Package({**package.texts, "axicontact/normal/small.py": SMALL})
     file = File(there)
     file.add("normal.small", name, name)
@@ -495,4 +512,4 @@ def test_statements_mean_in_c_what_they_mean_in_python(package: Package, name: s
     assert [float(line) for line in done.stdout.split()] == [space[name](x, y) for x, y in POINTS]
 
 
-POINTS = [(0.2, 0.7), (0.7, 0.2), (1.3, 0.4), (0.4, 1.3), (2.5, 2.0), (0.05, 0.9)]
+POINTS = [(0.2, 0.7), (0.7, 0.2), (1.3, 0.4), (0.4, 1.3), (2.5, 2.0), (0.05, 0.9), (1.0, 0.6)]
