@@ -323,6 +323,7 @@ def test_of_several_branches_the_right_one(language: str) -> None:
         ("adhesive.rounded_punch", "radius_from_force"),
         ("adhesive.rounded_cone", "pull_off"),
         ("adhesive.wavy_paraboloid", "pull_off"),
+        ("graded.adhesive.gaussian", "pull_off"),
         ("graded.normal.cone", "displacement"),
         ("graded.normal.gaussian", "radius_from_force"),
     ],

@@ -215,9 +215,10 @@ class Walks(Calls):
         self.set(own, self.call(found.steepness, [a], {}, scope))
         self.depth -= 1
         lines = self.lines[before:]
-        radii, read = found.radii, {name for *_, needs in lines for name in needs}
+        radii = found.radii
+        read = radii.length.names.union(radii.count.names, *(needs for *_, needs in lines))
         made = {name for _, _, name, _ in lines} | a.names
-        given = sorted(((read & old) - made) | radii.length.names | radii.count.names)
+        given = sorted((read & old) - made)
         if not given:
             self.lines[before:] = [(depth - 1, text, sets, needs) for depth, text, sets, needs in lines]
             return []
