@@ -41,6 +41,18 @@ def typed(browser: Chromium, name: str, text: str) -> None:
     }})()""")
 
 
+def drawn(browser: Chromium, what: str) -> list[str]:
+    """Of each curve what an expression says of `one`, once all are there: they come after the numbers."""
+    place = "document.querySelector('.drawn')"
+    script = f"""new Promise((given) => {{
+      const look = () => {place}.getAttribute("aria-busy") === "false"
+        ? given([...{place}.querySelectorAll("figure")].map((one) => {what})) : setTimeout(look, 5);
+      look();
+    }})"""
+    found: list[str] = browser.value(script)
+    return found
+
+
 def faults(browser: Chromium) -> list[str]:
     found: list[str] = browser.value("[...document.querySelectorAll('#calculator em')].map((one) => one.textContent)")
     return [one for one in found if one]
@@ -76,16 +88,14 @@ def test_a_field_changes_the_numbers_the_curves_and_the_address(opened: tuple[Ch
     browser, root = opened
     browser.open(f"{root}/{ADDRESS}")
     assert browser.value("location.search").startswith("?d=1um&"), "a page that is only read keeps its address"
-    curves = "[...document.querySelectorAll('.drawn polyline')].map((one) => one.getAttribute('points'))"
-    tables = "[...document.querySelectorAll('.drawn a')].map((one) => decodeURIComponent(one.href))"
-    before, first = browser.value(curves), browser.value(SHOWN)
+    first, before = browser.value(SHOWN), drawn(browser, "one.querySelector('polyline').getAttribute('points')")
     assert len(before) == 4  # pressure, displacement, load within a radius, force
     typed(browser, "indentation depth", "2 µm")
     after = browser.value(SHOWN)
     assert number(after["ad"]) == pytest.approx(2.0 * number(first["ad"]), rel=1e-4)
     assert number(after["F"]) == pytest.approx(4.0 * number(first["F"]), rel=1e-4)
     assert "d=2+%C2%B5m" in browser.value("location.search")
-    load = browser.value(tables)[-1].splitlines()
+    load = drawn(browser, "decodeURIComponent(one.querySelector('a').href)")[-1].splitlines()
     assert load[0].endswith('"d in m","F in N"')
     depth, force = map(float, load[-1].split(","))
     assert force / number(after["F"]) == pytest.approx((depth / 2e-6) ** 2, rel=1e-3)
@@ -128,7 +138,7 @@ def test_what_is_wrong_is_said_beside_the_field(opened: tuple[Chromium, str], na
     assert found.startswith(told)
     shown: dict[str, Any] = browser.value(SHOWN)
     assert set(shown.values()) == {""}
-    assert browser.value("document.querySelectorAll('.drawn svg').length") == 0
+    assert drawn(browser, "one.outerHTML") == []
 
 
 def test_a_fixed_edge_and_a_telephone(opened: tuple[Chromium, str]) -> None:

@@ -69,8 +69,6 @@ iterates may differ by.
 The functions of `math` differ in the last place, and a power of the time, or a difference of two parts, makes more of
 that.
 """
-TURNED = 6e-3
-"""The share of stresses below a turned punch in JavaScript that differ by 5 to 8 units: 15 of 3200."""
 WAVES = 12.0
 """The same beside waves: a unit of the radius moves a displacement by ten there, and 10 were the most of 1e4."""
 SUMS = re.compile(r"\b(for|while) \(|math\.(rule|in_groups|integral|products|fsum|sum|reduce)\b")
@@ -289,8 +287,7 @@ def test_programs_give_the_numbers_of_the_package(language: str, group: str, cou
     worst, beyond, total = judged(row for name in names for row in compared(language, group, name, count))
     assert total >= count
     assert not worst, "\n".join(worst)
-    rare = TURNED if group == "torsion" else RARE
-    assert len(beyond) <= rare * total + 1, f"{len(beyond)} of {total} values differ by more than 4 units"
+    assert len(beyond) <= RARE * total + 1, f"{len(beyond)} of {total} values differ by more than 4 units"
 
 
 @pytest.mark.sweep
@@ -317,6 +314,32 @@ def test_of_several_branches_the_right_one(language: str) -> None:
             values += known
     assert len(values) == 9
     assert file.run(jobs) == pytest.approx(values, rel=1e-12)
+
+
+@needs_cc
+@pytest.mark.parametrize(
+    ("module", "function"),
+    [
+        ("adhesive.rounded_punch", "radius_from_force"),
+        ("adhesive.rounded_cone", "pull_off"),
+        ("adhesive.wavy_paraboloid", "pull_off"),
+        ("graded.adhesive.gaussian", "pull_off"),
+        ("graded.normal.cone", "displacement"),
+        ("graded.normal.gaussian", "radius_from_force"),
+    ],
+)
+def test_what_is_kept_in_c_is_that_of_its_parameters(module: str, function: str) -> None:
+    """One parameter after another is another one and then the first again: branches, weights and factors of k."""
+    file, jobs, values = InC(committed()), list[Job](), list[float]()
+    group, _, name = module.rpartition(".")
+    one = next(one for one in asked(group, name) if one.function == function)
+    file.add(one)
+    fields, named = drawn(name, _public(module, function)[0], np.random.default_rng(3))
+    for given in [fields | named | change for own, known in named.items() for change in ({}, {own: 1.07 * known})]:
+        jobs.append((one.name, [given[own] for own in one.arguments(committed())]))
+        values.append(here(one, given))
+    assert len(set(values)) >= len(named)
+    assert file.run([*jobs, *jobs]) == pytest.approx([*values, *values], rel=1e-12)
 
 
 ENDS = (0.0, -1.0, math.nan, math.inf, 1e-40)
@@ -359,23 +382,24 @@ def test_domains_and_their_ends_are_those_of_the_package(
 
 
 @pytest.mark.skipif(NODE is None, reason="no node 18 or later: apt-get install nodejs")
-@pytest.mark.parametrize("name", ["gamma", "lgamma", "fsum", "frexp", "nextafter"])
+@pytest.mark.parametrize("name", ["gamma", "lgamma", "hypot", "fsum", "frexp", "nextafter"])
 def test_what_javascript_lacks_is_that_of_python(name: str) -> None:
     dice = np.random.default_rng(2)
     own = {"gamma": dice.uniform(0.6, 160.0, 200), "lgamma": dice.uniform(100.0, 1e4, 200)}
     drawn_ones = own.get(name, 10.0 ** dice.uniform(-300.0, 300.0, 200) * dice.choice([-1.0, 1.0], 200)).tolist()
     calls = {
         "fsum": [[drawn_ones[start : start + 20]] for start in range(0, 200, 20)],
+        "hypot": [[x, x * factor] for x, factor in zip(drawn_ones, dice.uniform(0.1, 10.0, 200), strict=True)],
         "nextafter": [[x, x * factor] for x, factor in zip(drawn_ones, (0.5, 2.0) * 100, strict=True)],
     }.get(name, [[x] for x in drawn_ones])
     text = f"{HELPERS.read_text()}\nconsole.log(JSON.stringify({json.dumps(calls)}.map((x) => math.{name}(...x))));"
     done = subprocess.run([str(NODE), "-"], input=text, capture_output=True, text=True, check=True, timeout=60)
     there = np.array(json.loads(done.stdout), float)
     here = np.array([getattr(math, name)(*given) for given in calls], float)
-    assert (
-        np.abs(here - there)
-        <= (4.0 if name == "gamma" else 2.0 if name == "lgamma" else 0.0) * np.spacing(np.abs(here))
-    ).all()
+    errors = np.abs(here - there) / np.spacing(np.abs(here))
+    assert errors.max() <= {"gamma": 4.0, "lgamma": 2.0, "hypot": 1.0}.get(name, 0.0)
+    # Math.hypot is off in more than a third of all places
+    assert name != "hypot" or np.count_nonzero(errors) <= 4
 
 
 def test_what_has_no_program_is_refused(package: Package) -> None:
@@ -394,10 +418,11 @@ def test_what_has_no_program_is_refused(package: Package) -> None:
 
 
 def lacking(language: str, one: Asked) -> bool:
-    """Whether a function has no program in a language: waves on the graded half-space, and in C cohesive zones."""
-    waves = one.module.startswith("graded.") and one.module.endswith(".wavy_paraboloid") and one.function != "profile"
+    """Whether a function has no program in a language: waves on the graded half-space, and searches over lists in C."""
+    waves = one.module.startswith("graded.") and one.module.endswith(".wavy_paraboloid")
+    waves = waves and one.function not in ("profile", "retraction")
     zones = language == "c" and one.module.startswith("cohesive.")
-    return waves or (zones and one.function not in ("without_contact", "work_of_separation"))
+    return waves or (zones and (one.function == "pull_off" or "_from_" in one.function))
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
@@ -438,6 +463,23 @@ def searched(x, y):
     return t
 
 
+def followed(x, y):
+    looked = []
+
+    def curve(t):
+        looked.append((t, t * y))
+        return t * t - x
+
+    t = 1.0
+    for _ in range(40):
+        value = curve(t)
+        if abs(value) < 1e-12:
+            break
+        t = t - value / (2.0 * t)
+    (before, _), (last, rate) = (looked[-2:][0], looked[-1])
+    return last - 2.0 * before + rate
+
+
 def chosen(x, y):
     least, most = (x, y) if x < y else (y, x)
     total = [sqrt(least * k) for k in range(1, 4)]
@@ -455,9 +497,9 @@ def chosen(x, y):
 
 
 @needs_cc
-@pytest.mark.parametrize("name", ["swapped", "searched", "chosen"])
+@pytest.mark.parametrize("name", ["swapped", "searched", "followed", "chosen"])
 def test_statements_mean_in_c_what_they_mean_in_python(package: Package, name: str, tmp_path: Path) -> None:
-    """Assignments side by side, loops that are left, results at several places, functions within functions."""
+    """Assignments side by side, loops that are left, results at several places, functions within functions, lists."""
     there = Package({**package.texts, "axicontact/normal/small.py": SMALL})
     file = File(there)
     file.add("normal.small", name, name)
@@ -471,4 +513,4 @@ def test_statements_mean_in_c_what_they_mean_in_python(package: Package, name: s
     assert [float(line) for line in done.stdout.split()] == [space[name](x, y) for x, y in POINTS]
 
 
-POINTS = [(0.2, 0.7), (0.7, 0.2), (1.3, 0.4), (0.4, 1.3), (2.5, 2.0), (0.05, 0.9)]
+POINTS = [(0.2, 0.7), (0.7, 0.2), (1.3, 0.4), (0.4, 1.3), (2.5, 2.0), (0.05, 0.9), (1.0, 0.6)]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib
 import json
 import math
+import shutil
 from functools import partial
 
 import mpmath as mp
@@ -16,7 +17,7 @@ from axiderive import notation as nt
 from axiderive.cli import main
 from axiderive.exits import USAGE
 from axiderive.store.writing import stale_files
-from axiderive.study import error, extremes, maps, naive, rivals, speed
+from axiderive.study import error, extremes, languages, maps, naive, rivals, speed
 from axiderive.study.error import DIGITS, QUICK, arguments, exact, methods, skipped
 from axiderive.study.report import relative, rounded, to_json
 from axiderive.study.subject import PARAMETERS, QUANTITIES, RADIUS, RULED, Subject, subject
@@ -199,6 +200,22 @@ def test_the_same_steps_check_nothing():
     entry, module = subject("cone").entries["d"], importlib.import_module("axicontact.normal.cone")
     assert math.isnan(module.depth(-1.0, theta=0.3))
     assert speed.in_steps(entry, module)(-1.0, theta=0.3) < 0.0
+
+
+@pytest.mark.skipif(shutil.which("cc") is None, reason="no C compiler: apt-get install gcc libc6-dev")
+def test_the_same_calls_in_c():
+    """Of every function with an example, pull-off under one control; what has no program is left out."""
+    record = languages.measure(["adhesive.cone", "layer.cone"], quick=True)
+    module = importlib.import_module("axicontact.adhesive.cone")
+    assert [row["function"] for row in record["rows"]] == [f"adhesive.cone.{own}" for own in module.__all__]
+    assert all(row["ratio"] > 0.0 and row["nanoseconds"] > 0.0 for row in record["rows"])
+    assert languages.text(record).startswith(f"{len(module.__all__)} functions: ")
+
+
+def test_the_numbers_of_an_example():
+    module = importlib.import_module("axicontact.adhesive.cone")
+    assert languages.example(module.depth) == {"a": 1.0, "theta": 0.35, "E_star": 1.0, "dgamma": 0.01}
+    assert languages.example(test_the_numbers_of_an_example) is None
 
 
 def test_speed_leaves_out_what_math_cannot_do():

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import TypeVar
 
 from .public import FORMULAS, PROGRAMS
-from .reach import PLAIN, PRODUCTS, Module, Name, NoProgramError, Package
+from .reach import KEPT, PLAIN, PRODUCTS, Module, Name, NoProgramError, Package
 from .searches import OWN, RADII, SAMPLES, radii, springs
 
 Part = TypeVar("Part")
@@ -21,11 +21,12 @@ HELPERS = Path(__file__).with_name("numbers.js")
 """What the language lacks: functions of Python's `math`, of NumPy for single numbers, and rules of integration."""
 OF_MATH = {
     **{name: f"Math.{name}" for name in ("sqrt", "exp", "expm1", "log", "log1p", "sin", "cos", "tan", "atan", "atan2")},
-    **{name: f"Math.{name}" for name in ("asinh", "atanh", "sinh", "cosh", "tanh", "cbrt", "hypot", "floor", "ceil")},
+    **{name: f"Math.{name}" for name in ("asinh", "atanh", "sinh", "cosh", "tanh", "cbrt", "floor", "ceil")},
     **{name: f"Math.{name}" for name in ("acos", "asin", "acosh", "abs")},
     **{"pow": "Math.pow", "inf": "Infinity", "nan": "NaN", "pi": "Math.PI", "e": "Math.E"},
     **{"isfinite": "Number.isFinite", "isnan": "Number.isNaN"},
     **{name: f"math.{name}" for name in ("fsum", "gamma", "lgamma", "ldexp", "frexp", "nextafter", "prod", "copysign")},
+    "hypot": "math.hypot",
 }
 """Names of Python's `math` here."""
 OF_NUMPY = OF_MATH | {
@@ -48,8 +49,6 @@ OF_PYTHON = {
 """Names of Python itself."""
 RULED = re.compile(r"math\.(rule|in_groups|integral|products)")
 """What needs the nodes of the rules."""
-KEPT = "cache", "Kept"
-"""Decorators of what is kept for the geometries of the last calls."""
 WORDS = frozenset(("default", "function", "var", "const", "new", "this", "delete", "switch", "case", "void", "enum"))
 """Names that mean something else here."""
 SIGNS = {

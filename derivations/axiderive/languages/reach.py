@@ -26,6 +26,8 @@ PRODUCTS = ("_runtime.graded.single", "_pairs")
 """What has the nodes of rules for a power as a weight, from tables of arrays; another language has its own."""
 
 
+KEPT = frozenset(("cache", "Kept"))
+"""Decorators of what is kept for the parameters of the last calls."""
 ARRAYS = {
     "_runtime.physics.layer": "a contact with a layer is solved over arrays",
     "_runtime.graded.waves": "waves on a graded half-space are integrated along complex paths",

@@ -101,7 +101,7 @@ int main(void)
 
 
 class CFile(Standalone):
-    """C99 without memory of its own."""
+    """C99 without allocation."""
 
     suffix = "c"
 

@@ -1,4 +1,4 @@
-"""Comparisons that are not part of a build: `axicontact study corpus | error | speed | maps | extremes`."""
+"""Comparisons that are not part of a build: `axicontact study corpus | error | speed | languages | maps | extremes`."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ TOPICS = {
     "corpus": "63 Abel integrals of contact mechanics: the engine beside SymPy's integrate",
     "error": "error against run time of p(r), F(d), w(r): the emitted functions beside other methods",
     "speed": "what a call costs: the emitted functions beside `math`, lambdify and a mere copy",
+    "languages": "what a call costs in C: the functions as C99 beside those of the package",
     "maps": "stability maps: worst error over the dimensionless ratios, emitted beside naive",
     "extremes": "stiff and extreme cases: emitted beside naive at the ends of the ranges",
 }

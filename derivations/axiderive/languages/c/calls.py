@@ -293,14 +293,10 @@ class Calls(Expressions):
 
     def _both(self, given: Mapping[str, Value], scope: Scope) -> Value:
         """The integrals of both members of a pair, from the same nodes."""
-        stop, panels = self.variable("stop", "double"), self.variable("panels", "int")
+        stop = self.variable("stop", "double")
         self.set(stop, given["stop"])
         lengths = given["lengths"] if "lengths" in given else self.named(Scope(self._plain()), "STRIPS")
-        length = self._arithmetic(ast.Div(), stop, given.get("width", 1.0), scope)
-        most = self._arithmetic(ast.Div(), length, lengths[-1][0], scope)
-        self.set(panels, Number(f"panels_of(higher({most.text}, 1.0))", "int", 9, most.names))
-        nodes = self._rule(lengths, self._arithmetic(ast.Div(), length, panels, scope))
-        self.emit(f"{nodes.text}.panels = {panels.text};", None, nodes.names | panels.names)
+        nodes = self._rule(lengths, self._arithmetic(ast.Div(), stop, given.get("width", 1.0), scope))
         totals = [self.variable("total", "sum") for _ in range(2)]
         for total in totals:
             self.emit(f"{total.text}.high = {total.text}.low = 0.0;", None, total.names)
@@ -331,7 +327,7 @@ class Calls(Expressions):
         *others, table = (NODES.format(one) for one in sizes)
         for one, name in zip(sizes, others, strict=False):
             table = f"{bracketed(size, 5)} == {one} ? {name} : {table}"
-        self.emit(f"{own.text} = products_of({table}, {size.text}, {x.text}, {int(beyond)}, {weights.text});", None,
+        self.emit(f"{own.text} = products_of({table}, {size.text}, {x.text}, {int(beyond)}, &{weights.text});", None,
                   own.names | size.names | x.names | weights.names | {NODES.format(one) for one in sizes})  # fmt: skip
         return own
 

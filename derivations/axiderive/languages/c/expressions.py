@@ -17,7 +17,7 @@ from .natives import CONSTANTS, NATIVES
 from .values import (
     Closure,
     Each,
-    Latest,
+    Growing,
     Native,
     Number,
     Record,
@@ -303,12 +303,12 @@ class Expressions(Lines):
             self._name(one, own, scope)
 
     def _item(self, value: Value, place: ast.expr, scope: Scope) -> Value:
+        if isinstance(value, Growing) and ast.unparse(place) in ("-1", "-2:"):
+            value = (value.before, value.last)
         if isinstance(place, ast.Slice):
             ends = [None if one is None else self.expr(one, scope) for one in (place.lower, place.upper, place.step)]
             return self._items(value, scope)[slice(*ends)]
         index = self.expr(place, scope)
-        if isinstance(value, Latest) and index == -1:
-            return value.item
         if isinstance(index, Number) or not isinstance(value, tuple | list | range | dict):
             raise missing(scope, f"part {ast.unparse(place)} of something")
         return value[index]

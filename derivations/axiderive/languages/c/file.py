@@ -2,7 +2,8 @@
 
 A program of the package is run once with its arguments as names.  Numbers that depend on none are folded, as Python has
 them; a loop over something of a known length is written out; a function that is given a function is written where it is
-called, so that the file needs no pointers to functions, no memory of its own and no library but that of C.
+called, so that the file needs no pointers to functions, no allocation and no library but that of C.  What the package
+keeps for the parameters of the last calls, the file keeps for those of the last one.
 """
 
 from __future__ import annotations
@@ -13,13 +14,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from ..reach import Module, NoProgramError, Package
+from ..reach import KEPT, Module, NoProgramError, Package
 from .lines import like
 from .natives import NODES
 from .statements import Writer
 from .values import Closure, Kind, Number, Scope, SeveralValuesError, Text, Value, bound_value, names_of, shape
 
-DEFINED = re.compile(r"^(?:struct|static inline (?:double|int|void|struct pairs)) (\w+)", re.MULTILINE)
+DEFINED = re.compile(r"^(?:struct|#define|static inline (?:double|int|void|struct pairs)) (\w+)", re.MULTILINE)
 """What a helper is called."""
 HELPERS = Path(__file__).with_name("numbers.h")
 """What C lacks: comparisons that keep what is no number, exact sums, the places of a rule."""
@@ -111,7 +112,8 @@ class File:
                 raise
             # behind what it needs
             del self.written[name]
-            self.written[name] = text
+            kept = KEPT.intersection(map(ast.unparse, closure.node.decorator_list)) and left
+            self.written[name] = remembered(name, text) if kept else text
         return name, left
 
     def constant(self, module: Module, name: str) -> Value:
@@ -135,6 +137,21 @@ class File:
                 made = Writer(self).expr(bound_value(node), Scope(module))
             self._constants[key] = made
         return self._constants[key]
+
+
+def remembered(name: str, text: Text) -> Text:
+    """A function that keeps what it gave last, of each thread by itself."""
+    own = [argument.split()[-1] for argument in text.arguments]
+    lines = [
+        f"static double {name}({', '.join(text.arguments)})", "{",
+        f"  KEPT double of[{len(own)}] = {{0}}, made = 0;", "  KEPT int there = 0;",
+        f"  if (!there || {' || '.join(f'of[{place}] != {one}' for place, one in enumerate(own))}) {{",
+        f"    made = {name}_made({', '.join(own)});",
+        *(f"    of[{place}] = {one};" for place, one in enumerate(own)),
+        "    there = 1;", "  }", "  return made;", "}", "",
+    ]  # fmt: skip
+    made = text.text.replace(f" {name}(", f" {name}_made(", 1)
+    return replace(text, text="\n".join([made, *lines]))
 
 
 def helpers(text: str) -> list[str]:

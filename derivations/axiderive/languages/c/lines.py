@@ -8,7 +8,7 @@ from itertools import count
 from typing import TYPE_CHECKING
 
 from .natives import word
-from .values import Number, Scope, Value, is_number, leaves, missing, number_of
+from .values import Growing, Number, Scope, Value, is_number, leaves, missing, number_of
 
 if TYPE_CHECKING:
     from .file import File
@@ -44,6 +44,9 @@ class Lines:
 
     def bind(self, scope: Scope, name: str, value: Value) -> None:
         """A name of Python gets a value; numbers of C are kept in a variable of that name."""
+        if value == []:
+            value = Growing(self.variable(f"{name}_filled", "int"))
+            self.set(value.filled, 0)
         old = scope.names.get(name)
         scope.names[name] = self._kept(name, value, old if scope.divided else None, scope)
 
@@ -75,13 +78,14 @@ class Lines:
         """Make variables of what is known in front of a branch or a loop, and may change in it."""
         stored = {one.id for node in body for one in inside(node) if isinstance(one, ast.Name)
                   and isinstance(one.ctx, ast.Store)}  # fmt: skip
-        grown = {call.func.value.id for node in body for call in inside(node) if isinstance(call, ast.Call)
+        loops = body if loop else [one for node in body for one in inside(node) if isinstance(one, ast.For)]
+        grown = {call.func.value.id for node in loops for call in inside(node) if isinstance(call, ast.Call)
                  and isinstance(call.func, ast.Attribute) and call.func.attr == "append"
                  and isinstance(call.func.value, ast.Name)}  # fmt: skip
         for name in sorted(stored & scope.names.keys()):
             scope.names[name] = self._variables(name, scope.names[name])
         for name in sorted(grown & scope.names.keys()):
-            if loop and scope.names[name] == []:
+            if scope.names[name] == []:
                 scope.names[name] = total = self.variable(name, "sum")
                 self.emit(f"{total.text}.high = {total.text}.low = 0.0;", None, total.names)
 
@@ -121,7 +125,11 @@ def like(name: str) -> Iterator[str]:
 
 def declared(kind: str, name: str) -> str:
     """The declaration of a variable of a kind."""
-    own = {"sum": f"struct sum {name}", "pairs": f"struct pairs {name}", "weights": f"double {name}[64]"}
+    kind, _, count = kind.partition(" ")
+    own = {
+        "sum": f"struct sum {name}", "pairs": f"struct pairs {name}", "weights": f"KEPT struct products {name} = {{0}}",
+        "kept": f"KEPT double {name}[{count}] = {{0}}" if count else f"KEPT int {name} = 0",
+    }  # fmt: skip
     return own.get(kind, f"{kind} {name} = 0")
 
 

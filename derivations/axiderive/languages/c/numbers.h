@@ -1,5 +1,14 @@
-/* Plain C99, without memory of its own; link with -lm. */
+/* Plain C99, without allocation; link with -lm. */
 #include <math.h>
+
+/* what was found for the last parameters stays, in each thread; found anew where a compiler has no word for that */
+#if defined(__GNUC__)
+#define KEPT __extension__ static __thread
+#elif defined(_MSC_VER)
+#define KEPT static __declspec(thread)
+#else
+#define KEPT
+#endif
 
 /* as NumPy has them: what is no number stays none */
 static inline double minimum(double x, double y) { return x < y || x != x ? x : y; }
@@ -98,11 +107,23 @@ static inline double node_of(const struct pairs *pairs, int place, double *weigh
 
 /* the same for what has a power of the place as a weight, whose moments are products of rationals: the smooth factor
    is a sum of Legendre's polynomials; `beyond` the value at zero the weights are those over the place */
-static inline struct pairs products_of(const double (*half)[2], int count, double power, int beyond, double *weights)
+struct products {
+  double power, weights[64];
+  int count, beyond;
+};
+
+static inline struct pairs products_of(const double (*half)[2], int count, double power, int beyond,
+                                       struct products *kept)
 {
   struct pairs own = pairs_of(half, count, 1);
-  double last[32], now[32], even[32], odd[32], moment = 1.0 / (1.0 + power);
+  double last[32], now[32], even[32], odd[32], moment = 1.0 / (1.0 + power), *weights = kept->weights;
   int place, order;
+  own.weights = weights;
+  if (kept->count == count && kept->power == power && kept->beyond == beyond)
+    return own;
+  kept->count = count;
+  kept->power = power;
+  kept->beyond = beyond;
   for (place = 0; place < count / 2; place++) {
     last[place] = 1.0;
     now[place] = 2.0 * half[place][0] - 1.0;
@@ -126,6 +147,5 @@ static inline struct pairs products_of(const double (*half)[2], int count, doubl
     weights[place] = weight * (even[place] + odd[place]) / (beyond ? node : 1.0);
     weights[count - 1 - place] = weight * (even[place] - odd[place]) / (beyond ? 1.0 - node : 1.0);
   }
-  own.weights = weights;
   return own;
 }

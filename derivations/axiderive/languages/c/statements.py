@@ -12,7 +12,7 @@ from .lines import declared, inside
 from .values import (
     Closure,
     Counted,
-    Latest,
+    Growing,
     Number,
     Over,
     Record,
@@ -183,18 +183,26 @@ class Writer(Walks):
         self.add_to(known, value)
 
     def _append_outside(self, scope: Scope, name: str, value: Value) -> None:
-        """What a function leaves in a list of the one around it, of which that may ask for the last item."""
+        """What a function leaves in a list of the one around it, of which that may ask for the last two items."""
         home = scope.around
         while home is not None and name not in home.names:
             home = home.around
         known = home.names[name] if home else None
-        if home is None or not (known == [] or isinstance(known, Latest)):
+        if not isinstance(known, Growing) or known:
             raise missing(scope, f"{name}.append")
-        if isinstance(known, Latest):
-            mapped(known.item, self.set, value)
-        else:
-            home.names[name] = Latest(mapped(value, lambda one, _: self.variable(name, kind_of(one)), value))
-            mapped(home.names[name].item, self.set, value)
+        if known.last is None:
+            known.before, known.last = (
+                mapped(value, lambda one, _: self.variable(own, kind_of(one)), value)  # noqa: B023 - called at once
+                for own in (f"{name}_before", name)
+            )
+        mapped(known.before, self.set, known.last)
+        mapped(known.last, self.set, value)
+        self.emit(f"if (!{known.filled.text}) {{", None, known.filled.names)
+        self.depth += 1
+        mapped(known.before, self.set, known.last)
+        self.depth -= 1
+        self.emit("}")
+        self.set(known.filled, 1)
 
     def _if(self, test: Value, body: Sequence[ast.stmt], orelse: Sequence[ast.stmt], scope: Scope) -> None:
         if not isinstance(test, Number):

@@ -123,11 +123,14 @@ class Partial:
     held: dict[str, Value]
 
 
-@dataclass
-class Latest:
-    """A list of which only the last item is asked for: it stays in the same variables."""
+class Growing(list[Value]):
+    """A list without items; one that a function inside fills has its last two in variables, a single one as both."""
 
-    item: Value
+    def __init__(self, filled: Number) -> None:
+        super().__init__()
+        self.filled = filled
+        self.before: Value = None
+        self.last: Value = None
 
 
 class SeveralValuesError(Exception):

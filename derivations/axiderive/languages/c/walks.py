@@ -14,6 +14,8 @@ from ..reach import Module
 from .calls import Calls
 from .values import Closure, Native, Number, Record, Scope, Text, Value, bracketed, literal, number_of, variables_of
 
+MOST = 512
+"""Radii of which a search keeps what it found, where the program finds how many there are."""
 ABOVE = ast.Lambda(
     ast.arguments([], [ast.arg("a")], None, [], [], None, []),
     ast.parse("_log(steepness(a) / level)", mode="eval").body,
@@ -131,6 +133,7 @@ class Walks(Calls):
         radii = found.radii
         end, count = radii.last, bracketed(radii.count, 5)
         self.emit(f"{opened.text} = 0;", None, opened.names)
+        at = len(self.lines)
         head = f"for ({place.text} = 0; {place.text} <= {count}; {place.text}++) {{"
         self.emit(head, None, place.names | radii.count.names)
         self.depth += 1
@@ -144,7 +147,7 @@ class Walks(Calls):
         self.emit("} else {")
         self.depth += 1
         self.set(a, radii.radius(place))
-        self.set(own, self.call(found.steepness, [a], {}, scope))
+        kept = self._sample(found, a, own, place, scope, at)
         self.emit(
             f"{rises.text} = {own.text} >= {found.level.text};", None, rises.names | own.names | found.level.names
         )
@@ -160,7 +163,20 @@ class Walks(Calls):
                  "after": own, "sign": Number(f"{rises.text} ? 1.0 : -1.0", "double", 0, rises.names)}  # fmt: skip
         inner = Scope(module, names=names, divided=1)
         names["above"] = Closure(ABOVE, module, inner)
-        change = number_of(self.expr(CHANGE, inner))
+        change = self.variable("change", "double")
+        if kept:
+            known_change, known_level = kept
+            test = f"if ({known_level.text} != {found.level.text}) {{"
+            self.emit(test, None, known_level.names | found.level.names)
+            self.depth += 1
+            self.set(change, self.expr(CHANGE, inner))
+            self.emit(f"{known_change.text} = {change.text};", None, known_change.names | change.names)
+            self.emit(f"{known_level.text} = {found.level.text};", None, known_level.names | found.level.names)
+            self.depth -= 1
+            self.emit("}")
+            self.set(change, known_change)
+        else:
+            self.set(change, self.expr(CHANGE, inner))
         self.emit(f"if ({rises.text}) {{", None, rises.names)
         self.depth += 1
         self.emit(f"{first.text} = lower({change.text}, nextafter({end.text}, 0.0));", None,
@@ -188,6 +204,48 @@ class Walks(Calls):
         self.depth -= 1
         scope.divided -= 1
         self.emit("}")
+
+    def _sample(self, found: Found, a: Number, own: Number, place: Number, scope: Scope, head: int) -> list[Number]:
+        """The steepness at a radius in a loop whose head is that line; what was sampled stays for the same geometry.
+
+        So do, in two further tables, the changes that are found from there on, and the levels they were found for.
+        """
+        old, before = set(self.kinds), len(self.lines)
+        self.depth += 1
+        self.set(own, self.call(found.steepness, [a], {}, scope))
+        self.depth -= 1
+        lines = self.lines[before:]
+        radii = found.radii
+        read = radii.length.names.union(radii.count.names, *(needs for *_, needs in lines))
+        made = {name for _, _, name, _ in lines} | a.names
+        given = sorted((read & old) - made)
+        if not given:
+            self.lines[before:] = [(depth - 1, text, sets, needs) for depth, text, sets, needs in lines]
+            return []
+        whole = radii.count.text.isdecimal()
+        # beyond, the last place serves all radii, each for itself
+        count = radii.count.text if whole else str(MOST)
+        slot = place.text if whole else f"{place.text} < {MOST - 1} ? {place.text} : {MOST - 1}"
+        steep, changes, levels = (self.variable(one, f"kept {count}") for one in ("sampled", "changes", "changes_of"))
+        of = self.variable("sampled_of", f"kept {len(given)}")
+        there = self.variable("sampled_there", "kept")
+        del self.lines[before:]
+        names = steep.names | there.names | place.names
+        self.emit(f"if ({place.text} < {there.text}) {{", None, names)
+        self.emit(f"  {own.text} = {steep.text}[{place.text}];", None, names | own.names)
+        self.emit("} else {")
+        self.lines += lines
+        self.emit(f"  {steep.text}[{slot}] = {own.text};", None, names | own.names)
+        self.emit(f"  {levels.text}[{slot}] = NAN;", None, names | levels.names)
+        within = "" if whole else f"if ({place.text} < {MOST - 1}) "
+        self.emit(f"  {within}{there.text} = {place.text} + 1;", None, names)
+        self.emit("}")
+        others = " || ".join(f"{of.text}[{at}] != {name}" for at, name in enumerate(given))
+        changed = [f"if ({others}) {{", *(f"  {of.text}[{at}] = {name};" for at, name in enumerate(given)),
+                   f"  {there.text} = 0;", "}"]  # fmt: skip
+        depth = self.lines[head][0]
+        self.lines[head:head] = [(depth, text, None, of.names | there.names | {*given}) for text in changed]
+        return [replace(one, text=f"{one.text}[{slot}]", names=one.names | place.names) for one in (changes, levels)]
 
     def lowest(self, found: Found, load: Value, scope: Scope) -> Number:
         """The radius at the start of a branch at which a load is least."""
