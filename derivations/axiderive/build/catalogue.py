@@ -306,7 +306,7 @@ def _emit(
     pages = handbook.handbook_sources(derived, evidence, book.chapter, models, studies)
     printed({path: text.encode() for path, text in pages.items()})
     texts |= {f"handbook/{path}": text for path, text in pages.items()}
-    site = web.html_sources(derived, evidence, book.chapter, models, texts, studies)
+    site = web.html_sources(derived, evidence, book.chapter, models, texts, studies, book.ids)
     texts |= {f"handbook/html/{path}": text for path, text in site.items()}
     files = texts | {"axicontact/index.json": dumps(index.index_record(derived, evidence, texts, formulas))}
     for problem, outcome in published:

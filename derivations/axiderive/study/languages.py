@@ -30,8 +30,7 @@ ROUNDS, ASKED = 5, 10.0
 COMMAND = ("cc", "-std=c99", "-O2")
 NOTE = (
     "Processor time of a call of the package with plain numbers over that of the same function as C99 (cc -O2), the "
-    "shortest of several timings of each in one run, at the arguments of its example; both have seen them before. "
-    "Below ten is what spends its time in functions of libm, which Python calls too."
+    "shortest of several timings of each in one run, at the arguments of its example; both have seen them before."
 )
 
 

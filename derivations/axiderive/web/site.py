@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import base64
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import partial
 from importlib.resources import files
@@ -41,6 +41,7 @@ def html_sources(
     models: Mapping[str, Model] | None = None,
     modules: Mapping[str, str] | None = None,
     studies: Mapping[str, Any] | None = None,
+    profiles: Iterable[str] = (),
 ) -> dict[str, str]:
     """All files of the web edition.
 
@@ -58,6 +59,8 @@ def html_sources(
         Generated modules by path, from which the calls are read, where they are at hand.
     studies : mapping, optional
         Records of `axicontact study` by name: error, speed, maps, extremes.
+    profiles : iterable of str, optional
+        Further profiles that the edition has pages of, to which links lead.
 
     Returns
     -------
@@ -70,7 +73,7 @@ def html_sources(
     ids = list(models)
     keys = frozenset(e.key for entries in derived.values() for e in entries.values())
     equations = frozenset(row["name"] for row in chapter11["rows"]) if chapter11 else frozenset()
-    site = Site(frozenset(ids), keys, equations, bool(studies))
+    site = Site(frozenset((*ids, *profiles)), keys, equations, bool(studies))
     front = book.model(list(models.values()), chapter11, studies)
     measured = {panel.key for panel in front["studies"]["error"].panels} if front["studies"]["error"] else set()
     calculators = scripts({i: models[i]["rows"] for i in ids}, derived, modules)
