@@ -317,6 +317,8 @@ class Printer:
                 return f"math.repeated({self.expr(repeated)}, {self.expr(count)})"
             case ast.BinOp(left, ast.Add(), ast.Tuple() | ast.List() | ast.ListComp() as right):
                 return f"[...{self.expr(left)}, ...{self.expr(right)}]"
+            case ast.BinOp(left, ast.Pow(), ast.Constant(int(exponent))) if exponent > 2:
+                return f"math.raised({self.expr(left)}, {exponent})"
             case ast.BinOp(left, ast.Pow(), right):
                 return f"Math.pow({self.expr(left)}, {self.expr(right)})"
             case ast.BinOp(left, ast.FloorDiv(), right):
