@@ -178,7 +178,24 @@ class Form {
     const states = given && [0, 1].map((medium) => this.completed(given, medium));
     this.values = states?.[0] ?? null;
     for (const [row, formula] of Object.entries(this.data.formulas)) this.show(row, formula, states?.[formula.medium]);
-    this.curves.replaceChildren(...(states ? this.drawn(states[0]) : []));
+    clearTimeout(this.pending);
+    this.curves.setAttribute("aria-busy", "true");
+    if (states) this.draw(this.drawn(states[0]), []);
+    else this.replace([]);
+  }
+
+  // curve by curve, once the numbers are there: a curve takes as long as all of these
+  draw(figures, found) {
+    this.pending = setTimeout(() => {
+      const { value, done } = figures.next();
+      if (done) this.replace(found);
+      else this.draw(figures, value ? [...found, value] : found);
+    });
+  }
+
+  replace(figures) {
+    this.curves.replaceChildren(...figures);
+    this.curves.setAttribute("aria-busy", "false");
   }
 
   show(row, formula, values) {
@@ -202,25 +219,23 @@ class Form {
     if (ready && where.length) output.append(Object.assign(document.createElement("small"), { textContent: ` at ${where.join(", ")}` }));
   }
 
-  drawn(values) {
+  *drawn(values) {
     const { formulas, evaluate, place, state } = this.data;
     const ratios = Array.from({ length: POINTS }, (_, count) => (count + 0.5) / POINTS);
-    const found = [];
     for (const [row, formula] of Object.entries(formulas)) {
       if (formula.suffix === "" || formula.medium || !formula.needs.includes(place) || !("a" in values)) continue;
       const outside = formula.place === "outside";
       const places = ratios.map((ratio) => (outside ? values.a * (1 + 2 * ratio) : values.a * ratio));
       const points = places.map((x) => [x, evaluate[row]({ ...values, [place]: x })]);
-      found.push(plot(row, points, [place, "m"], [formula.gives, formula.unit]));
+      yield plot(row, points, [place, "m"], [formula.gives, formula.unit]);
     }
     const load = state.find(({ name }) => name === "F" || name === "P");
     if (load && "d" in values && state.some(({ name }) => name === "d")) {
       const rest = Object.fromEntries(Object.entries(values).filter(([name]) => !state.some((one) => one.name === name)));
       const states = ratios.map((ratio) => this.completed({ ...rest, d: 2 * ratio * values.d }));
       const points = states.map((own) => [own.d, own[load.name]]);
-      found.push(plot("load", points, ["d", "m"], [load.name, load.unit], [values.d, values[load.name]]));
+      yield plot("load", points, ["d", "m"], [load.name, load.unit], [values.d, values[load.name]]);
     }
-    return found.filter(Boolean);
   }
 }
 

@@ -56,6 +56,42 @@ const math = {
     if (!parts.every(Number.isFinite)) return math.sum(values);
     return parts.reduceRight((total, part) => total + part, 0.0);
   },
+  // within a unit of the last place, as Math.hypot is not: what the root of the rounded squares is off by is taken from
+  // it in differences without rounding (Borges 2020)
+  hypot: (x, y) => {
+    const [least, most] = [Math.min(Math.abs(x), Math.abs(y)), Math.max(Math.abs(x), Math.abs(y))];
+    if (most !== most) return Math.hypot(x, y);
+    if (least <= 1e-17 * most || most === Infinity) return most;
+    if (most > 1e150) return math.hypot(x * TINY, y * TINY) / TINY;
+    if (least < 1e-140) return math.hypot(x / TINY, y / TINY) * TINY;
+    const root = Math.sqrt(most * most + least * least);
+    if (root <= 2.0 * least) {
+      const left = root - least;
+      return root - (most * (2.0 * left - most) + (left - 2.0 * (most - least)) * left) / (2.0 * root);
+    }
+    const left = root - most;
+    return root - (2.0 * left * (most - 2.0 * least) + ((4.0 * left - least) * least + left * left)) / (2.0 * root);
+  },
+  // x to a whole power as C has it, where Math.pow is a unit off at a tenth of all places: what each product is rounded by
+  // goes with it (Dekker's product)
+  raised: (x, exponent) => {
+    const found = Math.pow(x, exponent);
+    if (!(Math.abs(found) > 1e-250 && Math.abs(found) < 1e250)) return found;
+    const apart = (value) => {
+      const large = 134217729.0 * value;
+      const high = large - (large - value);
+      return [high, value - high];
+    };
+    const [first, second] = apart(x);
+    let [whole, left] = [x, 0.0];
+    for (let count = 1; count < exponent; count++) {
+      const [high, low] = apart(whole);
+      const product = whole * x;
+      const lost = low * second - (product - high * first - low * first - high * second) + left * x;
+      [whole, left] = [product + lost, lost - (product + lost - product)];
+    }
+    return whole;
+  },
   // Lanczos' approximation with 13 terms and g = 6.0246800407767296, as Python's math.gamma has it
   gamma: (x) => {
     if (Number.isInteger(x) && x > 0.0 && x < 24.0) return math.prod(math.range(1, x));
@@ -162,15 +198,11 @@ const math = {
     return math.fsum(pairs(count, panels).map(([node, weight]) => weight * integrand(node * stop))) * stop;
   },
   both: (integrand, stop, width = 1.0, lengths = STRIPS) => {
-    if (stop !== stop) return [stop, stop];
-    const panels = panelsOf(Math.max(stop / width / lengths.at(-1)[0], 1.0));
     const [first, second] = [[], []];
-    for (let start = 0; start < panels; start++) {
-      for (const [node, weight] of math.rule(lengths)(stop / width / panels)) {
-        const [x, y] = integrand(((start + node) / panels) * stop);
-        first.push((weight / panels) * x);
-        second.push((weight / panels) * y);
-      }
+    for (const [node, weight] of Math.abs(stop) > 0.0 ? math.rule(lengths)(stop / width) : []) {
+      const [x, y] = integrand(node * stop);
+      first.push(weight * x);
+      second.push(weight * y);
     }
     return [math.fsum(first) * stop, math.fsum(second) * stop];
   },
@@ -203,6 +235,7 @@ const math = {
   },
   at_break: (b) => 1e-100 * b,
 };
+const TINY = Math.pow(2.0, -600);
 const G = 6.024680040776729583740234375;
 const lanczos = (x) => {
   const whole = (terms) =>
@@ -335,7 +368,7 @@ const mean_pressure = (a, R, E_star) => {
 };
 
 const _energy_of_paraboloid = (a, R, E_star) => {
-  return (((8 * E_star) / (15 * Math.pow(R, 2))) * Math.pow(a, 5));
+  return (((8 * E_star) / (15 * Math.pow(R, 2))) * math.raised(a, 5));
 };
 
 const _energy = (a, R, E_star) => {
@@ -353,7 +386,7 @@ const energy = (a, R, E_star) => {
 };
 
 const _force_of_paraboloid = (a, R, E_star) => {
-  return (((4 * E_star) / (3 * R)) * Math.pow(a, 3));
+  return (((4 * E_star) / (3 * R)) * math.raised(a, 3));
 };
 
 const _load_within_of_paraboloid = (r, a, R, E_star) => {
@@ -2286,7 +2319,7 @@ const slipping_torque = (a, c) => {
   stop = Math.asinh((half * ratio));
   ring = math.integral_in_strip(inner, stop, (NEAR * math.clip(ratio, LEAST, 1.0)));
   ring = (ring + math.integral(outer, math.full(stop, (Math.PI / 4.0)), NODES_of_torsion));
-  return ((16.0 / Math.PI) * (((Math.pow(c, 3) / 3.0) * turned(a, c)) + (Math.pow(length, 3) * ((a > c) ? ring : 0.0))));
+  return ((16.0 / Math.PI) * (((math.raised(c, 3) / 3.0) * turned(a, c)) + (math.raised(length, 3) * ((a > c) ? ring : 0.0))));
 };
 
 const _torque = (a, c, R, E_star, mu) => {
@@ -2442,7 +2475,7 @@ const traction_2 = (r, a, c, R, E_star, mu) => {
 };
 
 const _full_slip_torque_of_paraboloid = (a, R, E_star, mu) => {
-  return (((((Math.PI / 4.0) * E_star) * mu) / R) * Math.pow(a, 4));
+  return (((((Math.PI / 4.0) * E_star) * mu) / R) * math.raised(a, 4));
 };
 
 const _full_slip_torque = (a, R, E_star, mu) => {

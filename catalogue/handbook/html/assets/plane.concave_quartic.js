@@ -56,6 +56,42 @@ const math = {
     if (!parts.every(Number.isFinite)) return math.sum(values);
     return parts.reduceRight((total, part) => total + part, 0.0);
   },
+  // within a unit of the last place, as Math.hypot is not: what the root of the rounded squares is off by is taken from
+  // it in differences without rounding (Borges 2020)
+  hypot: (x, y) => {
+    const [least, most] = [Math.min(Math.abs(x), Math.abs(y)), Math.max(Math.abs(x), Math.abs(y))];
+    if (most !== most) return Math.hypot(x, y);
+    if (least <= 1e-17 * most || most === Infinity) return most;
+    if (most > 1e150) return math.hypot(x * TINY, y * TINY) / TINY;
+    if (least < 1e-140) return math.hypot(x / TINY, y / TINY) * TINY;
+    const root = Math.sqrt(most * most + least * least);
+    if (root <= 2.0 * least) {
+      const left = root - least;
+      return root - (most * (2.0 * left - most) + (left - 2.0 * (most - least)) * left) / (2.0 * root);
+    }
+    const left = root - most;
+    return root - (2.0 * left * (most - 2.0 * least) + ((4.0 * left - least) * least + left * left)) / (2.0 * root);
+  },
+  // x to a whole power as C has it, where Math.pow is a unit off at a tenth of all places: what each product is rounded by
+  // goes with it (Dekker's product)
+  raised: (x, exponent) => {
+    const found = Math.pow(x, exponent);
+    if (!(Math.abs(found) > 1e-250 && Math.abs(found) < 1e250)) return found;
+    const apart = (value) => {
+      const large = 134217729.0 * value;
+      const high = large - (large - value);
+      return [high, value - high];
+    };
+    const [first, second] = apart(x);
+    let [whole, left] = [x, 0.0];
+    for (let count = 1; count < exponent; count++) {
+      const [high, low] = apart(whole);
+      const product = whole * x;
+      const lost = low * second - (product - high * first - low * first - high * second) + left * x;
+      [whole, left] = [product + lost, lost - (product + lost - product)];
+    }
+    return whole;
+  },
   // Lanczos' approximation with 13 terms and g = 6.0246800407767296, as Python's math.gamma has it
   gamma: (x) => {
     if (Number.isInteger(x) && x > 0.0 && x < 24.0) return math.prod(math.range(1, x));
@@ -162,15 +198,11 @@ const math = {
     return math.fsum(pairs(count, panels).map(([node, weight]) => weight * integrand(node * stop))) * stop;
   },
   both: (integrand, stop, width = 1.0, lengths = STRIPS) => {
-    if (stop !== stop) return [stop, stop];
-    const panels = panelsOf(Math.max(stop / width / lengths.at(-1)[0], 1.0));
     const [first, second] = [[], []];
-    for (let start = 0; start < panels; start++) {
-      for (const [node, weight] of math.rule(lengths)(stop / width / panels)) {
-        const [x, y] = integrand(((start + node) / panels) * stop);
-        first.push((weight / panels) * x);
-        second.push((weight / panels) * y);
-      }
+    for (const [node, weight] of Math.abs(stop) > 0.0 ? math.rule(lengths)(stop / width) : []) {
+      const [x, y] = integrand(node * stop);
+      first.push(weight * x);
+      second.push(weight * y);
     }
     return [math.fsum(first) * stop, math.fsum(second) * stop];
   },
@@ -203,6 +235,7 @@ const math = {
   },
   at_break: (b) => 1e-100 * b,
 };
+const TINY = Math.pow(2.0, -600);
 const G = 6.024680040776729583740234375;
 const lanczos = (x) => {
   const whole = (terms) =>
@@ -240,7 +273,7 @@ const _minimum_load = (h, E_star) => {
 const _pressure_of_concave_quartic = (x, P, a, h, E_star) => {
   let carried, complete, face, result, root, value;
   root = Math.sqrt(((a - x) * (a + x)));
-  face = (((((Math.PI * E_star) * h) * Math.pow(((2 * x) - a), 2)) * Math.pow((a + (2 * x)), 2)) / (8 * Math.pow(a, 4)));
+  face = (((((Math.PI * E_star) * h) * Math.pow(((2 * x) - a), 2)) * Math.pow((a + (2 * x)), 2)) / (8 * math.raised(a, 4)));
   carried = ((P - _minimum_load(h, E_star)) + face);
   value = (carried / (Math.PI * root));
   complete = ((_minimum_load(h, E_star) * (1.0 - 1e-15)) <= P);
@@ -275,14 +308,14 @@ const pressure = (x, P, a, h, E_star) => {
 };
 
 const _profile_slope = (x, a, h) => {
-  return ((((-4) * h) * Math.pow(x, 3)) / Math.pow(a, 4));
+  return ((((-4) * h) * math.raised(x, 3)) / math.raised(a, 4));
 };
 
 const _slope_of_concave_quartic = (x, P, a, h, E_star) => {
   let complete, conjugate, face, outside, result, root, strip, value;
   root = Math.sqrt(((x - a) * (a + x)));
   strip = (((-2) * P) / ((Math.PI * E_star) * root));
-  conjugate = ((((8 * Math.pow(root, 4)) + ((8 * Math.pow(x, 3)) * root)) + (3 * Math.pow(a, 4))) + ((12 * Math.pow(a, 2)) * Math.pow(root, 2)));
+  conjugate = ((((8 * math.raised(root, 4)) + ((8 * math.raised(x, 3)) * root)) + (3 * math.raised(a, 4))) + ((12 * Math.pow(a, 2)) * Math.pow(root, 2)));
   face = (((h * Math.pow(a, 2)) * (Math.pow(a, 2) + (8 * Math.pow(x, 2)))) / ((2 * conjugate) * root));
   value = (strip - face);
   outside = math.where((P > 0.0), value, 0.0);
@@ -325,7 +358,7 @@ const _depth_of_concave_quartic = (L, P, a, h, E_star) => {
   let complete, conjugate, face, result, root, strip, value;
   root = Math.sqrt(((L - a) * (a + L)));
   strip = (((2 * P) * Math.log1p((((L - a) + root) / a))) / (Math.PI * E_star));
-  conjugate = (((Math.pow(a, 2) * root) + (2 * Math.pow(L, 3))) + ((2 * Math.pow(L, 2)) * root));
+  conjugate = (((Math.pow(a, 2) * root) + (2 * math.raised(L, 3))) + ((2 * Math.pow(L, 2)) * root));
   face = (((h * L) * (Math.pow(a, 2) + (3 * Math.pow(L, 2)))) / (2 * conjugate));
   value = (strip - face);
   complete = ((_minimum_load(h, E_star) * (1.0 - 1e-15)) <= P);

@@ -56,6 +56,42 @@ const math = {
     if (!parts.every(Number.isFinite)) return math.sum(values);
     return parts.reduceRight((total, part) => total + part, 0.0);
   },
+  // within a unit of the last place, as Math.hypot is not: what the root of the rounded squares is off by is taken from
+  // it in differences without rounding (Borges 2020)
+  hypot: (x, y) => {
+    const [least, most] = [Math.min(Math.abs(x), Math.abs(y)), Math.max(Math.abs(x), Math.abs(y))];
+    if (most !== most) return Math.hypot(x, y);
+    if (least <= 1e-17 * most || most === Infinity) return most;
+    if (most > 1e150) return math.hypot(x * TINY, y * TINY) / TINY;
+    if (least < 1e-140) return math.hypot(x / TINY, y / TINY) * TINY;
+    const root = Math.sqrt(most * most + least * least);
+    if (root <= 2.0 * least) {
+      const left = root - least;
+      return root - (most * (2.0 * left - most) + (left - 2.0 * (most - least)) * left) / (2.0 * root);
+    }
+    const left = root - most;
+    return root - (2.0 * left * (most - 2.0 * least) + ((4.0 * left - least) * least + left * left)) / (2.0 * root);
+  },
+  // x to a whole power as C has it, where Math.pow is a unit off at a tenth of all places: what each product is rounded by
+  // goes with it (Dekker's product)
+  raised: (x, exponent) => {
+    const found = Math.pow(x, exponent);
+    if (!(Math.abs(found) > 1e-250 && Math.abs(found) < 1e250)) return found;
+    const apart = (value) => {
+      const large = 134217729.0 * value;
+      const high = large - (large - value);
+      return [high, value - high];
+    };
+    const [first, second] = apart(x);
+    let [whole, left] = [x, 0.0];
+    for (let count = 1; count < exponent; count++) {
+      const [high, low] = apart(whole);
+      const product = whole * x;
+      const lost = low * second - (product - high * first - low * first - high * second) + left * x;
+      [whole, left] = [product + lost, lost - (product + lost - product)];
+    }
+    return whole;
+  },
   // Lanczos' approximation with 13 terms and g = 6.0246800407767296, as Python's math.gamma has it
   gamma: (x) => {
     if (Number.isInteger(x) && x > 0.0 && x < 24.0) return math.prod(math.range(1, x));
@@ -162,15 +198,11 @@ const math = {
     return math.fsum(pairs(count, panels).map(([node, weight]) => weight * integrand(node * stop))) * stop;
   },
   both: (integrand, stop, width = 1.0, lengths = STRIPS) => {
-    if (stop !== stop) return [stop, stop];
-    const panels = panelsOf(Math.max(stop / width / lengths.at(-1)[0], 1.0));
     const [first, second] = [[], []];
-    for (let start = 0; start < panels; start++) {
-      for (const [node, weight] of math.rule(lengths)(stop / width / panels)) {
-        const [x, y] = integrand(((start + node) / panels) * stop);
-        first.push((weight / panels) * x);
-        second.push((weight / panels) * y);
-      }
+    for (const [node, weight] of Math.abs(stop) > 0.0 ? math.rule(lengths)(stop / width) : []) {
+      const [x, y] = integrand(node * stop);
+      first.push(weight * x);
+      second.push(weight * y);
     }
     return [math.fsum(first) * stop, math.fsum(second) * stop];
   },
@@ -203,6 +235,7 @@ const math = {
   },
   at_break: (b) => 1e-100 * b,
 };
+const TINY = Math.pow(2.0, -600);
 const G = 6.024680040776729583740234375;
 const lanczos = (x) => {
   const whole = (terms) =>
@@ -688,13 +721,13 @@ const _slope_of_peak = (n) => {
   m = (math.where((n > 2.0), n, 3.0) - 2.0);
   slope = ((2.0 / (Math.PI * m)) * Math.sqrt((1.0 + (4.215 * m))));
   for (_ of math.range(PEAK_STEPS)) {
-    slope = (Math.hypot(1.0, slope) / (m * _risen(slope, (m - 1.0))));
+    slope = (math.hypot(1.0, slope) / (m * _risen(slope, (m - 1.0))));
   }
   return slope;
 };
 
 const rise_to_greatest_pressure = (n) => {
-  return math.where((n > 2.0), Math.hypot(1.0, (1.0 / _slope_of_peak(n))), 1.0);
+  return math.where((n > 2.0), math.hypot(1.0, (1.0 / _slope_of_peak(n))), 1.0);
 };
 
 const _peak_pressure_of_power_law = (a, A, n, E_star) => {
@@ -731,7 +764,7 @@ const _peak_pressure = (a, A, n, E_star) => {
           v102.push((weight * v101));
         }
         v102 = (math.fsum(v102) * v84);
-        v104 = (Math.hypot(1.0, v80) / (v72 * v102));
+        v104 = (math.hypot(1.0, v80) / (v72 * v102));
         v106 = (v104 * v104);
         v107 = Math.asinh(v104);
         v112 = (1.0 + v106);
@@ -745,7 +778,7 @@ const _peak_pressure = (a, A, n, E_star) => {
           v124.push((weight * v123));
         }
         v124 = (math.fsum(v124) * v107);
-        v126 = (Math.hypot(1.0, v104) / (v72 * v124));
+        v126 = (math.hypot(1.0, v104) / (v72 * v124));
         v128 = (v126 * v126);
         v129 = Math.asinh(v126);
         v134 = (1.0 + v128);
@@ -759,7 +792,7 @@ const _peak_pressure = (a, A, n, E_star) => {
           v146.push((weight * v145));
         }
         v146 = (math.fsum(v146) * v129);
-        v148 = (Math.hypot(1.0, v126) / (v72 * v146));
+        v148 = (math.hypot(1.0, v126) / (v72 * v146));
         v150 = (v148 * v148);
         v151 = Math.asinh(v148);
         v156 = (1.0 + v150);
@@ -773,7 +806,7 @@ const _peak_pressure = (a, A, n, E_star) => {
           v168.push((weight * v167));
         }
         v168 = (math.fsum(v168) * v151);
-        v170 = (Math.hypot(1.0, v148) / (v72 * v168));
+        v170 = (math.hypot(1.0, v148) / (v72 * v168));
         v172 = (v170 * v170);
         v173 = Math.asinh(v170);
         v178 = (1.0 + v172);
@@ -787,7 +820,7 @@ const _peak_pressure = (a, A, n, E_star) => {
           v190.push((weight * v189));
         }
         v190 = (math.fsum(v190) * v173);
-        v195 = Math.hypot(1.0, (1.0 / (Math.hypot(1.0, v170) / (v72 * v190))));
+        v195 = math.hypot(1.0, (1.0 / (math.hypot(1.0, v170) / (v72 * v190))));
       } else {
         v195 = 1.0;
       }
@@ -800,7 +833,7 @@ const _peak_pressure = (a, A, n, E_star) => {
 };
 
 const ring_of_greatest_pressure = (n) => {
-  return math.where((n > 2.0), (1.0 / Math.hypot(1.0, _slope_of_peak(n))), 0.0);
+  return math.where((n > 2.0), (1.0 / math.hypot(1.0, _slope_of_peak(n))), 0.0);
 };
 
 const _peak_radius_of_power_law = (a, n) => {
@@ -828,7 +861,7 @@ const _peak_radius = (a, n, A = 1.0, E_star = 1.0) => {
         v38.push((weight * v37));
       }
       v38 = (math.fsum(v38) * v19);
-      v40 = (Math.hypot(1.0, v15) / (v6 * v38));
+      v40 = (math.hypot(1.0, v15) / (v6 * v38));
       v42 = (v40 * v40);
       v43 = Math.asinh(v40);
       v48 = (1.0 + v42);
@@ -842,7 +875,7 @@ const _peak_radius = (a, n, A = 1.0, E_star = 1.0) => {
         v60.push((weight * v59));
       }
       v60 = (math.fsum(v60) * v43);
-      v62 = (Math.hypot(1.0, v40) / (v6 * v60));
+      v62 = (math.hypot(1.0, v40) / (v6 * v60));
       v64 = (v62 * v62);
       v65 = Math.asinh(v62);
       v70 = (1.0 + v64);
@@ -856,7 +889,7 @@ const _peak_radius = (a, n, A = 1.0, E_star = 1.0) => {
         v82.push((weight * v81));
       }
       v82 = (math.fsum(v82) * v65);
-      v84 = (Math.hypot(1.0, v62) / (v6 * v82));
+      v84 = (math.hypot(1.0, v62) / (v6 * v82));
       v86 = (v84 * v84);
       v87 = Math.asinh(v84);
       v92 = (1.0 + v86);
@@ -870,7 +903,7 @@ const _peak_radius = (a, n, A = 1.0, E_star = 1.0) => {
         v104.push((weight * v103));
       }
       v104 = (math.fsum(v104) * v87);
-      v106 = (Math.hypot(1.0, v84) / (v6 * v104));
+      v106 = (math.hypot(1.0, v84) / (v6 * v104));
       v108 = (v106 * v106);
       v109 = Math.asinh(v106);
       v114 = (1.0 + v108);
@@ -884,7 +917,7 @@ const _peak_radius = (a, n, A = 1.0, E_star = 1.0) => {
         v126.push((weight * v125));
       }
       v126 = (math.fsum(v126) * v109);
-      v132 = (1.0 / Math.hypot(1.0, (Math.hypot(1.0, v106) / (v6 * v126))));
+      v132 = (1.0 / math.hypot(1.0, (math.hypot(1.0, v106) / (v6 * v126))));
     } else {
       v132 = 0.0;
     }

@@ -56,6 +56,42 @@ const math = {
     if (!parts.every(Number.isFinite)) return math.sum(values);
     return parts.reduceRight((total, part) => total + part, 0.0);
   },
+  // within a unit of the last place, as Math.hypot is not: what the root of the rounded squares is off by is taken from
+  // it in differences without rounding (Borges 2020)
+  hypot: (x, y) => {
+    const [least, most] = [Math.min(Math.abs(x), Math.abs(y)), Math.max(Math.abs(x), Math.abs(y))];
+    if (most !== most) return Math.hypot(x, y);
+    if (least <= 1e-17 * most || most === Infinity) return most;
+    if (most > 1e150) return math.hypot(x * TINY, y * TINY) / TINY;
+    if (least < 1e-140) return math.hypot(x / TINY, y / TINY) * TINY;
+    const root = Math.sqrt(most * most + least * least);
+    if (root <= 2.0 * least) {
+      const left = root - least;
+      return root - (most * (2.0 * left - most) + (left - 2.0 * (most - least)) * left) / (2.0 * root);
+    }
+    const left = root - most;
+    return root - (2.0 * left * (most - 2.0 * least) + ((4.0 * left - least) * least + left * left)) / (2.0 * root);
+  },
+  // x to a whole power as C has it, where Math.pow is a unit off at a tenth of all places: what each product is rounded by
+  // goes with it (Dekker's product)
+  raised: (x, exponent) => {
+    const found = Math.pow(x, exponent);
+    if (!(Math.abs(found) > 1e-250 && Math.abs(found) < 1e250)) return found;
+    const apart = (value) => {
+      const large = 134217729.0 * value;
+      const high = large - (large - value);
+      return [high, value - high];
+    };
+    const [first, second] = apart(x);
+    let [whole, left] = [x, 0.0];
+    for (let count = 1; count < exponent; count++) {
+      const [high, low] = apart(whole);
+      const product = whole * x;
+      const lost = low * second - (product - high * first - low * first - high * second) + left * x;
+      [whole, left] = [product + lost, lost - (product + lost - product)];
+    }
+    return whole;
+  },
   // Lanczos' approximation with 13 terms and g = 6.0246800407767296, as Python's math.gamma has it
   gamma: (x) => {
     if (Number.isInteger(x) && x > 0.0 && x < 24.0) return math.prod(math.range(1, x));
@@ -162,15 +198,11 @@ const math = {
     return math.fsum(pairs(count, panels).map(([node, weight]) => weight * integrand(node * stop))) * stop;
   },
   both: (integrand, stop, width = 1.0, lengths = STRIPS) => {
-    if (stop !== stop) return [stop, stop];
-    const panels = panelsOf(Math.max(stop / width / lengths.at(-1)[0], 1.0));
     const [first, second] = [[], []];
-    for (let start = 0; start < panels; start++) {
-      for (const [node, weight] of math.rule(lengths)(stop / width / panels)) {
-        const [x, y] = integrand(((start + node) / panels) * stop);
-        first.push((weight / panels) * x);
-        second.push((weight / panels) * y);
-      }
+    for (const [node, weight] of Math.abs(stop) > 0.0 ? math.rule(lengths)(stop / width) : []) {
+      const [x, y] = integrand(node * stop);
+      first.push(weight * x);
+      second.push(weight * y);
     }
     return [math.fsum(first) * stop, math.fsum(second) * stop];
   },
@@ -203,6 +235,7 @@ const math = {
   },
   at_break: (b) => 1e-100 * b,
 };
+const TINY = Math.pow(2.0, -600);
 const G = 6.024680040776729583740234375;
 const lanczos = (x) => {
   const whole = (terms) =>
@@ -1263,7 +1296,7 @@ const beyond_edge = (b, first = 1.0, last = 1.0) => {
   back = (x) => {
     let a, slope, t;
     [t, slope] = (math.truth(plain) ? [x, 1.0] : root_of(x, first, last));
-    a = (b * Math.hypot(1.0, t));
+    a = (b * math.hypot(1.0, t));
     return [a, ((a * ((t * t) / (1.0 + (t * t)))) / (x * slope))];
   };
   return Unknown(of, back, undefined, (3.0 / first), 1.0);
@@ -1974,7 +2007,7 @@ const growth_far = (integrand, start, reach, scale) => {
   half = math.where(long, Math.log((Math.sqrt(reach) / Math.sqrt(math.where(long, start, 1.0)))), 0.0);
   along = (y) => {
     let far;
-    far = Math.hypot(scale, y);
+    far = math.hypot(scale, y);
     return (integrand(y, far) * (y / far));
   };
   rising = math.integral_in_strip(((x) => along((start * Math.exp(x)))), half);
@@ -2011,7 +2044,7 @@ const growth_beyond_of_pressure = (slope, r, a, b, k, order = 0.0) => {
   smooth = (near, far) => {
     let root, t;
     root = math.where(within, near, far);
-    t = Math.hypot(b, root);
+    t = math.hypot(b, root);
     return (slope(t, root) * Math.pow((far / t), k));
   };
   value = math.where((reach > 0.0), _from_branch(smooth, scale, reach, k), 0.0);
@@ -2129,7 +2162,7 @@ const over_angle = (shape, a, q, stop, k) => {
 const over_cap = (shape, q, root, b, k, end = Infinity) => {
   let along, from_low, from_top, half, low, top;
   low = math.minimum(root, end);
-  [top, half] = [Math.hypot(low, b), ((Math.log1p(Math.pow((b / low), 2)) / 4.0) + math.zeros_like(q))];
+  [top, half] = [math.hypot(low, b), ((Math.log1p(Math.pow((b / low), 2)) / 4.0) + math.zeros_like(q))];
   along = (near, risen) => {
     let more, z;
     more = (risen * (near + low));
@@ -2246,7 +2279,7 @@ const contact_beyond = (load, rate, value, b, needs, exponents) => {
   curve = (x) => {
     let a, own, root, slope, t;
     [t, slope] = root_of(x, first, last);
-    [a, root] = [Math.hypot(b, (b * t)), (b * t)];
+    [a, root] = [math.hypot(b, (b * t)), (b * t)];
     own = load(a, root, ...needs);
     return [own, ((((root * (root / a)) * rate(a, root, ...needs)) / own) / slope)];
   };
