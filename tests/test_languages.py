@@ -317,7 +317,7 @@ def test_of_several_branches_the_right_one(language: str) -> None:
         if (one.function, one.part) in (("pull_off", "radius"), ("radius_from_force", "")):
             file.add(one)
             given, known, _ = in_python("adhesive", "wavy_paraboloid", one.name, 3)
-            jobs += [(one.name, own) for own in given]
+            jobs += [(one.name, [*own.values()]) for own in given]
             values += known
     assert len(values) == 9
     assert file.run(jobs) == pytest.approx(values, rel=1e-12)

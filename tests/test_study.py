@@ -269,7 +269,7 @@ def test_values_that_are_lost_or_refused_count_as_such():
 def test_study_alone_lists_its_topics(capsys):
     assert main(["study"]) == 0
     lines = capsys.readouterr().out.splitlines()
-    assert [line.split()[2] for line in lines] == ["corpus", "error", "speed", "maps", "extremes"]
+    assert [line.split()[2] for line in lines] == ["corpus", "error", "speed", "languages", "maps", "extremes"]
 
 
 def test_a_part_of_a_record_is_never_kept(capsys):
