@@ -25,7 +25,8 @@ LOSSES = {
     "_pressure": "tension_of_zone(r, q, a, sigma_0)",
     "_displacement": "lift_of_zone(r, q, a, E_star, sigma_0)",
 }
-NOTE = "Negative or NaN field values give NaN, as do states whose zone would reach beyond the profile."
+BEYOND = "whose zone would reach beyond the profile"
+NOTE = f"Negative or NaN field values give NaN, as do states {BEYOND}."
 PULL = "-np.pi * sigma_0 * c * c"
 """Force of a zone without contact."""
 PARTED = "depth"
@@ -253,7 +254,7 @@ def _pull_off(writer: Writer) -> None:
         "State at which the contact breaks on unloading.",
         docstring.wrapped(" ".join(PULLED)),
         _symbols(writer),
-        ("", f"; {APART}"),
+        ("", f"; {APART}{f'. NaN for states {BEYOND}' if _largest(writer) else ''}"),
         f"{docstring.SEVERAL.strip()} Valid for {writer.profile.validity}.",
         _sources(writer),
         [],
@@ -265,6 +266,7 @@ def _pull_off(writer: Writer) -> None:
 def _inverses(writer: Writer) -> None:
     """Adds the contact radii on the stable branches."""
     names = [name_of(symbol) for symbol in _symbols(writer)]
+    ended = f" and for states {BEYOND}" if _largest(writer) else ""
     for quantity in PHYSICS.searched:
         (field,) = map(name_of, quantity.arguments)
         doc = docstring.document(
@@ -272,7 +274,7 @@ def _inverses(writer: Writer) -> None:
             docstring.wrapped(f"a from {field} = {field}(a), where it grows with a."),
             docstring.parameters(quantity.arguments, _symbols(writer)),
             (docstring.NUMBERS, f"Contact radius [m]. {docstring.SHAPE}"),
-            f"Valid for {writer.profile.validity}. NaN below pull-off.",
+            f"Valid for {writer.profile.validity}. NaN below pull-off{ended}.",
             _sources(writer),
             [],
         )
