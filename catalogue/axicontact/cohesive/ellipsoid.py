@@ -469,7 +469,8 @@ def pull_off(
     -------
     PullOff
         Named tuple of radius [m], force [N] and depth [m]; the radius is 0 where the depth falls until the
-        surfaces have parted, and go on attracting each other.
+        surfaces have parted, and go on attracting each other. NaN for states whose zone would reach beyond
+        the profile.
 
     Raises
     ------
@@ -529,7 +530,8 @@ def radius_from_depth(
 
     Notes
     -----
-    Valid for a < b; small slopes. NaN below pull-off.
+    Valid for a < b; small slopes. NaN below pull-off and for states whose zone would reach beyond the
+    profile.
 
     References
     ----------
@@ -573,7 +575,8 @@ def radius_from_force(
 
     Notes
     -----
-    Valid for a < b; small slopes. NaN below pull-off.
+    Valid for a < b; small slopes. NaN below pull-off and for states whose zone would reach beyond the
+    profile.
 
     References
     ----------

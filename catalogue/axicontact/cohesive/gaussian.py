@@ -474,7 +474,8 @@ def pull_off(
     -------
     PullOff
         Named tuple of radius [m], force [N] and depth [m]; the radius is 0 where the depth falls until the
-        surfaces have parted, and go on attracting each other.
+        surfaces have parted, and go on attracting each other. NaN for states whose zone would reach beyond
+        the profile.
 
     Raises
     ------
@@ -534,7 +535,7 @@ def radius_from_depth(
 
     Notes
     -----
-    Valid for h << s. NaN below pull-off.
+    Valid for h << s. NaN below pull-off and for states whose zone would reach beyond the profile.
 
     References
     ----------
@@ -578,7 +579,7 @@ def radius_from_force(
 
     Notes
     -----
-    Valid for h << s. NaN below pull-off.
+    Valid for h << s. NaN below pull-off and for states whose zone would reach beyond the profile.
 
     References
     ----------

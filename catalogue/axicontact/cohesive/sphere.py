@@ -445,7 +445,8 @@ def pull_off(
     -------
     PullOff
         Named tuple of radius [m], force [N] and depth [m]; the radius is 0 where the depth falls until the
-        surfaces have parted, and go on attracting each other.
+        surfaces have parted, and go on attracting each other. NaN for states whose zone would reach beyond
+        the profile.
 
     Raises
     ------
@@ -502,7 +503,8 @@ def radius_from_depth(
 
     Notes
     -----
-    Valid for a < R; the theory of small slopes asks for a << R. NaN below pull-off.
+    Valid for a < R; the theory of small slopes asks for a << R. NaN below pull-off and for states whose zone
+    would reach beyond the profile.
 
     References
     ----------
@@ -544,7 +546,8 @@ def radius_from_force(
 
     Notes
     -----
-    Valid for a < R; the theory of small slopes asks for a << R. NaN below pull-off.
+    Valid for a < R; the theory of small slopes asks for a << R. NaN below pull-off and for states whose zone
+    would reach beyond the profile.
 
     References
     ----------
