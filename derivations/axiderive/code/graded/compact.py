@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-import sympy as sp
-
 from ...entry import COMPACT, Entry
 from ...notation import a
 from ...physics.systems import System
 from .. import docstring
 from ..function import Function
 from ..module import Module
+from ..text import written
 from ..writer import Writer, ordered
 from .families import Family, family
 
@@ -193,7 +192,7 @@ class _Normal:
         if own.power is not None:
             order = own.power.lengths[0]
             unit = f"{field} / _{quantity}({', '.join([f'np.ones_like({field})', *needs])})"
-            exponent = str(float(order)) if order.is_number else sp.sstr(order)
+            exponent = str(float(order)) if order.is_number else written(order)
             if quantity == "force":
                 exponent = f"({float(order) + 1.0} + k)" if order.is_number else f"({order} + (1.0 + k))"
             root = {"1.0": unit, "2.0": f"np.sqrt({unit})"}

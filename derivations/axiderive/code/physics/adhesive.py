@@ -21,7 +21,7 @@ from ...stable.forms import EvaluationForm, evaluation_form
 from ...stable.signs import facts_of
 from .. import docstring
 from ..function import Function
-from ..text import python
+from ..text import python, written
 from ..writer import Writer, ordered
 from . import separation
 from .branches import branch_functions
@@ -146,7 +146,7 @@ class _Adhesive:
         if rule is None:
             return []
         condition = f"np.asarray({rule.right}) > {float(rule.left)!r}"
-        return ordered(condition, f"{rule.right} > {sp.sstr(rule.left)}", rule.reason, [str(rule.right)])
+        return ordered(condition, f"{rule.right} > {written(rule.left)}", rule.reason, [str(rule.right)])
 
     def notes_of_inverse(self) -> str:
         """The sentences below an inverse: its validity, and which radius is meant where several are stable."""
@@ -206,6 +206,6 @@ class _Adhesive:
         radius = self.entries[names[0]]
         if radius.status == "closed":
             return [f"    {line}" for suffix in names for line in docstring.stated(self.entries[suffix])]
-        level = sp.sstr(radius.definition.rhs.subs(a, a_c))
+        level = written(radius.definition.rhs.subs(a, a_c))
         lines = (f"g'(a_c) = {level}", "F = F(a_c)", "d = d(a_c)", "with the depth g(a) without adhesion")
         return [f"    {line}" for line in lines]

@@ -13,6 +13,7 @@ from ...physics.systems import BY_NAME
 from .. import docstring, example
 from ..function import Function
 from ..module import PACKAGE, Module
+from ..text import written
 from ..writer import ordered, required
 
 NOTES = {
@@ -139,12 +140,12 @@ def _public(entry: Entry) -> Function:
 def _formula(entry: Entry) -> list[str]:
     """The definition where the result is one division or root away from it, else the result."""
     if entry.definition.lhs == nt.w:
-        found = f"{entry.quantity.symbol} = {sp.sstr(entry.cases[0].expr)}"
-        own = [f" with {name} = {sp.sstr(value)}" for name, value in entry.profile.abbreviations
+        found = f"{entry.quantity.symbol} = {written(entry.cases[0].expr)}"
+        own = [f" with {name} = {written(value)}" for name, value in entry.profile.abbreviations
                if entry.cases[0].expr.has(name)]  # fmt: skip
         return docstring.wrapped(found + "".join(own))
     equation = entry.definition
-    return docstring.usual(docstring.wrapped(f"{sp.sstr(equation.lhs)} = {sp.sstr(equation.rhs)}"))
+    return docstring.usual(docstring.wrapped(f"{written(equation.lhs)} = {written(equation.rhs)}"))
 
 
 def _example(entry: Entry) -> list[str]:

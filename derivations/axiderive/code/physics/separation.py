@@ -17,7 +17,7 @@ from ...physics import adhesive
 from .. import docstring
 from ..function import Function
 from ..graded.complete import required_face
-from ..text import python
+from ..text import python, written
 from ..writer import Writer
 from .branches import own_units, radii, search
 
@@ -58,11 +58,11 @@ def _stated(writer: Writer) -> str:
     """The formula, or what is the least over the radius."""
     medium = writer.system.medium
     if writer.profile.complete:
-        return f"dgamma = {sp.sstr(adhesive.work_of_peeling(writer.entries))}"
+        return f"dgamma = {written(adhesive.work_of_peeling(writer.entries))}"
     closed = adhesive.work_from_pull_off(writer.plain[FIELD], medium)
     if closed is not None:
-        return f"dgamma = {sp.sstr(closed)}"
-    least = sp.sstr(adhesive.separation(medium))
+        return f"dgamma = {written(closed)}"
+    least = written(adhesive.separation(medium))
     return f"dgamma = {least} at the radius a at which it is least, F_N the force without adhesion there"
 
 

@@ -11,7 +11,7 @@ from ...letters import name_of
 from ...notation import t_1, t_h, t_m, v_2
 from ...physics.viscoelastic import LAWS, QUANTITIES, Law, elastic_exponent, of_depth, ramped
 from .. import docstring
-from ..text import python
+from ..text import python, written
 from ..writer import Writer
 
 
@@ -149,5 +149,5 @@ def _ramp(writer: Writer, law: Law, elastic: str, passed: str) -> list[str]:
     start = "0.0"
     if law.impulse != 0 and power == 1:
         lines.append("# the viscous part of a force that grows in proportion to the depth does not start from zero")
-        start = f"{writer.call(elastic, 'v', E_star='1.0')} * {sp.sstr(law.impulse)}"
+        start = f"{writer.call(elastic, 'v', E_star='1.0')} * {written(law.impulse)}"
     return [*lines, f"return np.where(t == 0.0, {start}, force)"]
