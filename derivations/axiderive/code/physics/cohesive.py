@@ -61,20 +61,24 @@ def _states(writer: Writer, opened: str) -> None:
     """Adds pull-off, which ends without contact under control of the depth, and the stable branches."""
     needs = [*writer.geometry, *MATERIAL]
     given = ", ".join(needs)
+    writer.rule("_growth", ["a"], writer.geometry, _growth(writer), "Rate g'(a) of the depth of the normal contact.")
     first = f"first = _zone(np.zeros_like(sigma_0), {given})"
     writer.rule("_radii", [], needs, [first, *_radii(writer, opened)], returns="Stretch")
-    closing = ", ".join(filter(None, ["E_star, dgamma, sigma_0", _largest(writer)]))
+    closing = ", ".join(filter(None, ["start, a, control, E_star, dgamma, sigma_0", _largest(writer)]))
     state = [
-        f"q, rate = root_near({opened}, start, a, {closing})",
         'load = _force_of if control == "force" else _depth_of',
-        f"return State(a, q, still(rate, a, q, control, E_star, sigma_0), load(a, q, {given}))",
+        f"growth = _growth(a, {', '.join(writer.geometry)})",
+        f"return state_near({opened}, growth, lambda q: load(a, q, {given}), {closing})",
     ]
     writer.rule("_state", ["a", "start"], [*needs, "control"], state, returns="State")
     searched = f"lambda a, start: _state(a, start, {given}, {{}})"
     pulled = f"return radius_of_pull_off({searched.format('control')}, _radii({given}))"
     writer.rule("_pull_off_radius", [], [*needs, "control"], [pulled])
     apart = f"alone({opened}, {{}}, E_star, dgamma, sigma_0)"
-    writer.rule("_parted", [], needs, [first, f"return parted({opened}, first, E_star, sigma_0)"])
+    ring = f"parted({opened}, first, E_star, sigma_0)"
+    if border := _border(writer):
+        ring = f"parted_by({opened}, first, {border}, E_star, sigma_0)"
+    writer.rule("_parted", [], needs, [first, f"return {ring}"])
     zone = f"return either(a > 0.0, lambda: _zone(a, {given}), lambda: np.where(a == 0.0, _parted({given}), np.nan))"
     writer.rule("_pull_off_zone", ["a"], needs, [zone])
     depth = f"return either(a > 0.0, lambda: _depth_of(a, q, {given}), lambda: {apart.format('q')})"
@@ -103,16 +107,17 @@ def _states(writer: Writer, opened: str) -> None:
 def _radii(writer: Writer, opened: str) -> list[str]:
     """The radii that separate the minima: by the first zone, and by a break or the end of the profile."""
     profile, end = writer.profile, _end(writer)
-    if profile.breaks:
-        border = dict(profile.abbreviations).get(profile.breaks[0], profile.breaks[0])
-        return [f"return radii_by(first, {python(border)})"]
-    within = f"lambda a: zone_within({opened}, a, E_star, dgamma, sigma_0, {{}})"
+    if border := _border(writer):
+        return [f"return radii_by(first, {border})"]
     if profile.largest is not None:
-        named = within.format("difference_root(end, a)")
-        return [f"end = {python(profile.largest)}", f"return radii_on_bump(first, end, {named})"]
-    if end is None:
-        return ["return radii(first)"]
-    return [f"return radii_up_to(first, {python(end)}, {within.format(_largest(writer))})"]
+        return [f"return radii_on_bump(first, {python(profile.largest)})"]
+    return ["return radii(first)" if end is None else f"return radii_up_to(first, {python(end)})"]
+
+
+def _border(writer: Writer) -> str:
+    """The formula of the radius at which the profile breaks, if it does."""
+    profile = writer.profile
+    return python(dict(profile.abbreviations).get(profile.breaks[0], profile.breaks[0])) if profile.breaks else ""
 
 
 def _bound_to_shape(writer: Writer, function: str) -> str:
@@ -146,6 +151,28 @@ def _root(writer: Writer, opened: str) -> list[str]:
 def _end(writer: Writer) -> sp.Expr | None:
     """The radius at which the profile ends."""
     return next((high for low, high in itertools.pairwise(writer.profile.chain) if low == a), None)
+
+
+def _growth(writer: Writer) -> list[str]:
+    """The lines of g'(a); next to a break at which it is infinite, not the last digits of it."""
+    profile, slopes, end = writer.profile, writer.normal, _end(writer)
+
+    def slope(name: str, root: str, at: str = "a") -> str:
+        return f"normal.{name}({', '.join([at, *(root if own == 'root' else own for own in slopes[name][1:])])})"
+
+    if not profile.breaks:
+        growth = slope("_slope", "" if end is None else f"difference_root({python(end)}, a)")
+        return [f"return np.where(a > 0.0, {growth}, 0.0)"]
+    b = str(profile.breaks[0])
+    beyond = slope("_slope_beyond", "root")
+    root = f"root = np.maximum(difference_root(a, {b}), CLOSEST * {b})"
+    if "_slope" not in slopes:
+        return [root, f"return np.where(a < {b}, 0.0, {beyond})"]
+    return [
+        root,
+        f"tip = np.minimum(a, {b})",
+        f"return np.where(a < {b}, {slope('_slope', 'np.sqrt((R - tip) * (R + tip))', 'tip')}, {beyond})",
+    ]
 
 
 def _opened(writer: Writer) -> list[str]:
