@@ -14,6 +14,7 @@ import pytest
 import sympy as sp
 from false_entries import below, record
 
+from axicontact._runtime.physics import cohesive_states
 from axicontact._runtime.plain import both
 from axicontact.expressions import expression
 from axiderive import notation as nt
@@ -216,6 +217,33 @@ def test_plain_numbers_are_found_where_arrays_are(name: str, sigma: float) -> No
             assert load_of(found[:-1], **material) == pytest.approx(loads[:-1], rel=1e-12)
             assert np.isnan(found[-1])
         assert many[:-1] == pytest.approx(singles[:-1], rel=1e-5)
+
+
+@pytest.mark.parametrize("control", ["force", "depth"])
+@pytest.mark.parametrize("name", GEOMETRY)
+def test_a_state_knows_how_it_goes_on(name: str, control: str) -> None:
+    """From half a per cent beside the root of the zone: the state there, and the rates of its numbers with ln a.
+
+    The ratio goes on like that of a power, which the powers are; elsewhere that is a guess.
+    """
+    own, material = module(name), GEOMETRY[name] | GIVEN | {"sigma_0": 0.07}
+
+    def state(a: float, off: float = 0.0) -> cohesive_states.State:
+        root = own._zone(np.array(a), **material)
+        return own._state(np.array(a), np.exp(off) * root, **material, control=control)
+
+    middle, step = 0.9, 1e-5
+    with np.errstate(invalid="ignore"):
+        low, high = state(middle * np.exp(-step)), state(middle * np.exp(step))
+        both_ways = {off: state(middle, off) for off in (0.0, 0.005)}
+    for off, here in both_ways.items():
+        assert here.q == pytest.approx(own._zone(np.array(middle), **material), rel=1e-13 + 2.0 * off**2)
+        assert here.off == pytest.approx(-off, rel=0.05, abs=1e-12)
+        assert here.widening == pytest.approx(np.log(high.q / low.q) / (2.0 * step), rel=1e-7 + 4.0 * off)
+        assert here.gain == pytest.approx((high.load - low.load) / (2.0 * step), rel=1e-7 + 4.0 * off)
+        if name in ("paraboloid", "cone", "power_law"):
+            steepening = np.log(high.ratio / low.ratio) / (2.0 * step)
+            assert here.steepening == pytest.approx(steepening, rel=1e-7 + 4.0 * off)
 
 
 def test_long_stretches_are_integrated_in_panels() -> None:

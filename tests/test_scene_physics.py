@@ -184,7 +184,7 @@ def test_where_a_contact_with_a_cohesive_zone_breaks(profile, count, tmp_path):
 @pytest.mark.parametrize(
     ("right", "wrong", "found"),
     [
-        ("still(rate, a, q,", "still(1.01 * rate, a, q,", "pull_off"),
+        ("        dgamma,\n", "        1.01 * dgamma,\n", "pull_off"),
         ("        F,\n", "        1.01 * F,\n", "radius_from_force"),
         ("        d,\n", "        1.01 * d,\n", "radius_from_depth"),
     ],
