@@ -38,7 +38,10 @@ COMPLETE = {
     "profile", "force", "pressure", "displacement", "stiffness", "depth_from_force",
 }  # fmt: skip
 CONCAVE = {"minimum_depth", "minimum_force", "zero_radius"}
-PEAKED = ("paraboloid", "rounded_cone", "hyperboloid", "quartic", "sextic", "rounded_punch", "power_law")
+PEAKED = (
+    *("paraboloid", "rounded_cone", "hyperboloid", "quartic", "sextic", "rounded_punch", "power_law"),
+    *("sphere", "ellipsoid"),
+)
 ADHESIVE = {
     "retraction", "depth", "force", "pressure", "displacement", "radius_from_depth", "radius_from_force", "pull_off",
     "work_of_adhesion_from_pull_off",

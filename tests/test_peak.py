@@ -15,7 +15,17 @@ import sympy as sp
 from false_entries import record
 from scenes import composed_from, problems, run_plainly
 
-from axicontact.normal import hyperboloid, paraboloid, power_law, quartic, rounded_cone, rounded_punch, sextic
+from axicontact.normal import (
+    ellipsoid,
+    hyperboloid,
+    paraboloid,
+    power_law,
+    quartic,
+    rounded_cone,
+    rounded_punch,
+    sextic,
+    sphere,
+)
 from axiderive import notation as nt
 from axiderive.checks import quadrature
 from axiderive.checks.comparison import Comparison
@@ -31,7 +41,7 @@ from axiderive.proof.certificate import certify
 from axiderive.proof.rules import rings
 from axiderive.proof.rules.compact import Compact
 from axiderive.stable.measure import ulps
-from axiderive.stable.reference import of_contact
+from axiderive.stable.reference import condition, of_contact
 from axiderive.verifier.problem import Problem
 
 EPS = 2.0**-52
@@ -158,6 +168,73 @@ def test_no_place_under_a_power_has_more_pressure(n: float) -> None:
     assert found.pressure == pytest.approx(power_law.pressure(found.radius, 1.0, A=1.0, n=n, E_star=1.0), rel=16 * EPS)
 
 
+LEAVES = 0.9376121436530147
+"""a/R, by 3 z = (3 z^2 - 1) artanh(z), where the greatest pressure under a sphere leaves the axis."""
+
+
+def under_sphere(radius: Any, place: Any) -> Any:
+    """pi p/E* under a sphere of R = 1 by (11.23): int_r^a g'(t)/sqrt(t^2 - r^2) dt with t = sqrt(r^2 + u^2)."""
+    end = mp.sqrt((radius - place) * (radius + place))
+
+    def rate(u: Any) -> Any:
+        t = mp.hypot(place, u)
+        return (mp.atanh(t) + t / (1 - t) / (1 + t)) / t
+
+    # the singularity at t = 1 is next to the edge
+    return mp.quad(rate, [0, end / 2, *(end * (1 - mp.mpf(10) ** -k) for k in (1, 2, 3)), end])
+
+
+@pytest.mark.parametrize("share", [0.938, 0.96, 0.995])
+def test_a_search_over_the_definition_finds_the_ring_of_a_sphere(share: float) -> None:
+    with mp.workdps(20):
+        place, height = searched(lambda r: under_sphere(mp.mpf(share), r), mp.mpf(0), mp.mpf(share) * (1 - 1e-4))
+        found = sphere.peak_pressure(share, R=1.0, E_star=1.0)
+        assert abs(found.pressure * mp.pi / height - 1) < 8 * EPS
+        assert abs(found.radius / place - 1) < 1e-7
+
+
+def test_the_ring_of_a_sphere_leaves_the_axis_as_a_root() -> None:
+    """With z = a/R and y = artanh(z), r_max^2/a^2 begins as 4 coth(y) dy/dz times what z is beyond that share."""
+    assert sphere.peak_pressure(LEAVES - 1e-15, R=1.0, E_star=1.0).radius == 0.0
+    slope = 4.0 / LEAVES / (1.0 - LEAVES**2)
+    for beyond in (1e-6, 1e-9, 1e-11):
+        found = sphere.peak_pressure(LEAVES + beyond, R=1.0, E_star=1.0)
+        assert (found.radius / LEAVES) ** 2 == pytest.approx(slope * beyond, rel=40 * beyond + 8 * EPS / beyond)
+
+
+@pytest.mark.parametrize("share", [1e-9, 0.3, 0.93, 0.9377, 0.95, 0.98, 0.987, 0.9999, 1 - 1e-8, 1 - 1e-13, 1 - EPS])
+def test_the_last_places_of_a_sphere_and_of_an_ellipsoid(share: float) -> None:
+    """Beside what a unit of a/R does to the ring, which leaves the axis as a root."""
+    radius = 0.7 * share
+    for name, found, given in (
+        ("sphere", sphere.peak_pressure(radius, R=0.7, E_star=2.5), {R: 0.7}),
+        ("ellipsoid", ellipsoid.peak_pressure(radius, h=1.3, b=0.7, E_star=2.5), {nt.h: 1.3, b: 0.7}),
+    ):
+        values, entries = {a: radius, E_star: 2.5, **given}, derive(load(name))
+        assert ulps(found.pressure, of_contact(entries, "pp", values)) <= 4.0 + condition(entries, "pp", values)
+        if share < LEAVES:
+            assert found.radius == 0.0
+        else:
+            assert ulps(found.radius, of_contact(entries, "rp", values)) <= 4.0 + condition(entries, "rp", values)
+
+
+def test_no_place_under_a_sphere_has_more_pressure() -> None:
+    for share in (0.2, 0.9, 0.9376, 0.95, 0.99):
+        found = sphere.peak_pressure(share, R=1.0, E_star=1.0)
+        places = np.append(np.linspace(0.0, share, 999), found.radius)
+        many = sphere.pressure(places, share, R=1.0, E_star=1.0)
+        assert many[:-1].max() <= found.pressure * (1 + 8 * EPS)
+        assert found.pressure == pytest.approx(many[-1], rel=16 * EPS)
+
+
+def test_at_the_edge_of_a_sphere_the_pressure_has_no_bound() -> None:
+    found = sphere.peak_pressure(np.array([0.0, 1.0, 1.0 + 1e-15, -1.0, np.nan]), R=1.0, E_star=1.0)
+    assert found.pressure[:2].tolist() == [0.0, np.inf]
+    assert found.radius[:2].tolist() == [0.0, 1.0]
+    assert np.isnan(found.pressure[2:]).all()
+    assert np.isnan(found.radius[2:]).all()
+
+
 def test_no_place_has_more_pressure() -> None:
     for ratio in (1e-4, 0.1, 0.7, 0.999):
         found = rounded_punch.peak_pressure(1.0, b=ratio, **FLAT)
@@ -190,7 +267,7 @@ def test_it_is_derived_on_the_axis_or_where_one_ring_alone_has_it() -> None:
     found = {name: derive(load(name)) for name in COMPACT_NAMES}
     known = {name: all(case.expr == 0 for case in own["rp"].cases) for name, own in found.items() if "rp" in own}
     assert {name for name in known if known[name]} == {"paraboloid", "rounded_cone", "hyperboloid"}
-    assert known.keys() - {*ON_AXIS} == {"quartic", "sextic", "power_law", "rounded_punch"}
+    assert known.keys() - {*ON_AXIS} == {"quartic", "sextic", "power_law", "rounded_punch", "sphere", "ellipsoid"}
 
 
 ON_AXIS: dict[str, tuple[Any, dict[str, float], Callable[[Any], Any], list[float]]] = {
@@ -253,7 +330,7 @@ def test_the_axis_of_another_profile_is_refused(name: str) -> None:
 
 
 def test_the_certificates_and_the_search_hold() -> None:
-    for name in ("hyperboloid", "rounded_cone", "quartic", "power_law", "rounded_punch"):
+    for name in ("hyperboloid", "rounded_cone", "quartic", "power_law", "rounded_punch", "ellipsoid"):
         profile, entries = load(name), derive(load(name))
         assert all(certify(profile, entries, suffix).proved for suffix in ("rp", "pp"))
     assert quadrature.check(Comparison(profile, entries, digits=20, points=2), "pp").passed
@@ -288,6 +365,11 @@ def other_side(change: Callable[[sp.Expr], sp.Expr]) -> Callable[[sp.Expr], sp.E
         ("power_law", "rp", other_side(lambda left: left.subs(nt.n, nt.n + 1))),
         ("power_law", "pp", lambda pressure: pressure * (nt.n - 1)),
         ("power_law", "pp", lambda pressure: pressure.subs(r_peak, r_peak / 2)),
+        ("ellipsoid", "rp", other_side(lambda left: -left)),
+        ("ellipsoid", "rp", other_side(lambda left: left.subs(sp.atanh, sp.asinh))),
+        ("ellipsoid", "rp", other_side(lambda left: left * a / b)),
+        ("ellipsoid", "pp", lambda pressure: pressure.subs(r_peak, r_peak / 2)),
+        ("ellipsoid", "pp", lambda pressure: pressure.subs(r_peak, 0)),
     ],
 )
 def test_another_place_or_pressure_is_refused(name: str, suffix: str, change: Callable[[sp.Expr], sp.Expr]) -> None:

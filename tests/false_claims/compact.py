@@ -218,6 +218,14 @@ NEEDED: Refusals = {
         lambda: hollowed("power_law"),
         "one change of the sign of dp/dr for n > 2",
     ),
+    "rings._of_arc: require_regions(entry, ((level, one), (one, level)))": (
+        lambda: beside("ellipsoid", "rp", Case((a, h), sp.Integer(7))),
+        ONCE,
+    ),
+    "rings._of_arc: dp/dr that is negative up to level = 1, and changes its sign": (
+        lambda: hollowed("ellipsoid"),
+        "changes its sign once beyond",
+    ),
     "rings._pressure_of_power: require_regions(entry, ((sp.Integer(1), n),))": (
         lambda: regions("power_law", "pp", (a, h)),
         ONCE,
@@ -234,7 +242,7 @@ NEEDED: Refusals = {
         lambda: balance(lambda left, right: (left * (nt.r_peak - 2 * b), right * (nt.r_peak - 2 * b))),
         "is no positive factor",
     ),
-    "rings.greatest_pressure: require_regions(entry, tuple((case.chain for case in rings))": (
+    "rings.greatest_pressure: require_regions(entry, tuple((case.chain for case in proof.e": (
         lambda: regions("quartic", "pp", (a, h)),
         ONCE,
     ),

@@ -193,10 +193,16 @@ def ring(own: Comparison, suffix: str) -> Evidence:
         return _graded(own, suffix)
     peak = bool(own.entries[suffix].quantity.member)
     # a search asks for a hundred integrals, whose panels are doubles: none between an edge and a face just as large
-    drawn = points(own.profile, (*own.profile.breaks, nt.a) if peak else (nt.a,), own.points, own.seed)
+    chain = own.profile.chain or (*own.profile.breaks, nt.a) if peak else (nt.a,)
+    drawn = points(own.profile, chain, own.points, own.seed)
     cases = own.entries["rp" if peak else "rz"].cases
     known = [point for point in drawn if any(holds(case, point.values) for case in cases)]
-    chosen = [point for point in known if not point.extreme][:3] if peak else known[:2]
+    chosen = known[:2]
+    if peak:
+        known = [point for point in known if not point.extreme]
+        # three, and one of each case
+        found = [next((point for point in known if holds(case, point.values)), None) for case in cases]
+        chosen = [point for point in known if point in known[:3] or point in found]
     with mp.workdps(own.digits + GUARD):
         rows: Rows = [(point.values, _residual(own, suffix, peak, point.values)) for point in chosen]
     compared = DEFINED + (", its greatest value searched for over the radii" if peak else "")

@@ -159,6 +159,37 @@ def peak(top: float, v: mp.mpf) -> mp.mpf:
     return mp.mpf(share.mid().str(60, radius=False)) * (1 + x) / x
 
 
+ARC_END = 0.8
+"""How far beyond the peak of the level of an arc its first kernel goes."""
+
+
+def arc_level(y: Any) -> Any:
+    """Psi of `physics/peak.py` at tanh(y): zero at 1.2 and at infinity, and equal at two places between them."""
+    return (y * mp.tanh(y) - 1) / mp.cosh(y) ** 2
+
+
+@cache
+def arc_peak() -> mp.mpf:
+    """Where that is greatest, the root of 3 tanh(y) = (3 tanh(y)**2 - 1) y."""
+    with mp.workdps(80):
+        return mp.findroot(lambda y: 3 * mp.tanh(y) - (3 * mp.tanh(y) ** 2 - 1) * y, 1.7)
+
+
+def arc_near(v: mp.mpf) -> mp.mpf:
+    """How far the place of an equal level lies below that at v beyond the peak, over v."""
+    y = arc_peak() + v
+    return (y - _place_of(arc_level(y))) / v
+
+
+def arc_far(v: mp.mpf) -> mp.mpf:
+    """The place over what the level falls short of that where the first kernel ends."""
+    return _place_of(arc_level(arc_peak() + ARC_END) - v)
+
+
+def _place_of(level: mp.mpf) -> mp.mpf:
+    return mp.findroot(lambda y: arc_level(y) - level, (1.19, arc_peak()), solver="anderson", verify=False)
+
+
 @cache
 def _balance() -> tuple[sp.Equality, sp.Symbol]:
     """The certified equation of that radius, and the radius of the flat face."""
@@ -179,6 +210,8 @@ KERNELS: dict[str, tuple[str, Callable[[mp.mpf], mp.mpf], float]] = {
         0.5,
     ),
     "PEAK_LARGE": ("the same over 1 - x, x >= 1/2", lambda v: peak(1.0, v), 0.5),
+    "ARC_NEAR": ("the difference of two y of equal (y tanh(y) - 1)/cosh(y)**2 over y - 1.71792", arc_near, ARC_END),
+    "ARC_FAR": ("the lesser y over what that level falls short of its value at 2.51792", arc_far, 0.03812728612374059),
     "DAWSON": ("x/D(x), x <= 25/16", dawson, (25 / 16) ** 2),
 } | {
     name: (words, function, end)

@@ -7,9 +7,9 @@ a paraboloid and a sum, with positive factors, of faces f = min(r, c)^2/2 with c
 
 for r < c, which falls, from a positive value on the axis; beyond c it is negative, as 2 < s/t + t/s.
 
-Three kinds of contact have a ring that is proved to be the only one: a
-pressure that is a polynomial of r^2 times sqrt(a^2 - r^2), any power of r, and the
-flat face with a rounded edge, whose pressure rises up to the rounding and falls in it.
+Four kinds of contact have a ring that is proved to be the only one: a pressure that is a polynomial of r^2 times
+sqrt(a^2 - r^2), any power of r, the sphere, and the flat face with a rounded edge, whose pressure rises up to the
+rounding and falls in it.
 In t = sqrt(r^2 + u^2) the pressure (11.23) has a slope of its own,
 
     dp/dr = E* r/pi [int_r^a (g'(t)/t)'/sqrt(t^2 - r^2) dt - g'(a)/(a sqrt(a^2 - r^2))],
@@ -23,14 +23,16 @@ For f = A r^n and q = (r/a)^2 it is a multiple of r^(n - 3), positive for n > 2,
 which falls. Where it vanishes p is the pressure p(0) = E* g'(a)/[pi (n - 1)] of a ring that has shrunk to the axis,
 as it has for n <= 2, over sqrt(1 - q).
 
-Some have a greatest pressure that is no entry. That of a Gaussian bump is on the axis, and an integral. That of the
-sphere leaves the axis at a = 0.93761 R. With R = 1, u^2 = (a^2 - r^2)/(1 - r^2) and Psi(z) = (1 - z^2) (z artanh z -
-1), (1 - a^2) r^2 sqrt(a^2 - r^2) times the bracket is Psi(u) - Psi(a). Psi rises from -1 up to z = 0.93761, where 3 z
-= (3 z^2 - 1) artanh z, and falls to zero beyond, and u falls from a to zero as r grows: no zero of the bracket below
-that radius, and one beyond. The ellipsoid is that sphere stretched along its axis. The curved punch with a rounded
-edge always has a ring beyond b, with one proof for both, but where that is narrow or flat more pressure on the axis:
-which of the two is greater only their values say. A sum of powers may have more than one place: of r^2 and r^6, where
-the latter brings 0.7 of g'(a), the axis and a ring.
+Under the sphere it leaves the axis at a = 0.93761 R. With R = 1, u^2 = (a^2 - r^2)/(1 - r^2) and Psi(z) = (1 - z^2)
+(z artanh z - 1), (1 - a^2) r^2 sqrt(a^2 - r^2) times the bracket is Psi(u) - Psi(a), and u falls from a to zero as r
+grows. Psi'(z) = 3 z - (3 z^2 - 1) artanh z, over z artanh z, falls from infinity to -2: Psi rises from -1 up to
+z = 0.93761 and falls to zero beyond. Hence the bracket has no zero below that radius, and one beyond. The ellipsoid is
+that sphere stretched along its axis.
+
+Some have a greatest pressure that is no entry. That of a Gaussian bump is on the axis, and an integral. The curved
+punch with a rounded edge always has a ring beyond b, with one proof for both, but where that is narrow or flat more
+pressure on the axis: which of the two is greater only their values say. A sum of powers may have more than one place:
+of r^2 and r^6, where the latter brings 0.7 of g'(a), the axis and a ring.
 """
 
 from __future__ import annotations
@@ -60,11 +62,13 @@ def derive(profile: Profile, depth: tuple[Case, ...], pressure: tuple[Case, ...]
         own = next(case for case in pressure if case.chain.index(b) < case.chain.index(r))
         at_ring = Case(regime.chain, own.expr.subs(r, r_peak))
         return "root", (Case(regime.chain, _balance(regime.expr, b)),), (at_ring,)
-    if len(pressure) != 1 or pressure[0].chain != (r, a):
+    if len(pressure) != 1:
         return None
     if (power := free_power(pressure[0].expr)) is not None:
         return _of_power(depth[0].expr, power)
-    radius = _ring(pressure[0].expr)
+    if stretch_of_arc(profile) is not None:
+        return _of_arc(profile.chain[-1], depth[0].chain, pressure[0].expr)
+    radius = _ring(pressure[0].expr) if pressure[0].chain == (r, a) else None
     if radius is None:
         return None
     at_ring = Case((a,), sp.factor(sp.expand(pressure[0].expr.subs(r, radius))))
@@ -111,6 +115,23 @@ def _of_power(depth: sp.Expr, n: sp.Symbol) -> Found:
     middle = sp.powsimp(sp.diff(depth, a), combine="exp") * HOMOGENEOUS.pressure_scale / (n - 1)
     cases = Case((one, n, two), sp.S.Zero), Case((two, n), ring)
     return "root", cases, (Case((one, n), middle / sp.sqrt(outside)),)
+
+
+def stretch_of_arc(profile: Profile) -> sp.Expr | None:
+    """What f'(r) of a sphere or an ellipsoid, which ends at R, is to r/sqrt(R^2 - r^2); None for another profile."""
+    if len(profile.pieces) > 1 or not profile.chain or (end := profile.chain[-1]) == a:
+        return None
+    stretch = sp.sqrt(sp.cancel(sp.diff(profile.pieces[0].expr, r) ** 2 * (end**2 - r**2) / r**2))
+    return None if stretch.has(r) else stretch
+
+
+def _of_arc(end: sp.Expr, regime: tuple[sp.Expr, ...], pressure: sp.Expr) -> Found:
+    """The axis where the level is below one, the ring beyond: equal values of Psi, over (1 - a^2) of above."""
+    z, u = a / end, sp.sqrt(a**2 - r_peak**2) / sp.sqrt(end**2 - r_peak**2)
+    level = (z - 1 / (3 * z)) * sp.atanh(z)
+    ring = sp.Eq(1 - z * sp.atanh(z), (1 - u * sp.atanh(u)) / (1 - r_peak**2 / end**2), evaluate=False)
+    cases = Case((level, sp.S.One), sp.S.Zero), Case((sp.S.One, level), ring)
+    return "root", cases, (Case(regime, pressure.subs(r, r_peak)),)
 
 
 def _balance(depth: sp.Expr, b: sp.Expr) -> sp.Equality:

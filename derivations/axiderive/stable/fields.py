@@ -165,9 +165,9 @@ class Place:
 
 COUNTS = {"bench": 8, "extreme": 14}
 STICKING = 2
-"""Points of the bench at which a part sticks."""
-LOADED, FAR = "below the surface", "far away"
-REGIONS = ("at the edge", "at a break", "on the axis", LOADED, "beside the contact", FAR, "on the surface")
+"""Points of the bench at which a part sticks; of the extreme ones it does at those next to the edge."""
+EDGE, LOADED, FAR = "at the edge", "below the surface", "far away"
+REGIONS = (EDGE, "at a break", "on the axis", LOADED, "beside the contact", FAR, "on the surface")
 """Of the extreme points, in turn."""
 
 
@@ -175,8 +175,8 @@ def _point(region: str, radius: float, marks: list[float], dice: random.Random) 
     """r and z in a region: `marks` are the edge and the breaks."""
     small = radius * 10 ** dice.uniform(-12, -2)
     turn = dice.uniform(0.0, math.pi)
-    if region in ("at the edge", "at a break"):
-        centre = radius if region == "at the edge" else dice.choice(marks)
+    if region in (EDGE, "at a break"):
+        centre = radius if region == EDGE else dice.choice(marks)
         return abs(centre + small * math.cos(turn)), small * math.sin(turn)
     if region == "on the axis":
         return 0.0, radius * 10 ** dice.uniform(-9, 9)
@@ -214,7 +214,8 @@ def places(
         marks = [x for x in lengths if x <= radius]
         where = REGIONS[i % len(REGIONS)] if domain == "extreme" else ""
         values[nt.r], values[nt.z] = _point(where, radius, marks, dice)
-        sticks = entry.profile.compact and domain == "bench" and i < STICKING
+        # elsewhere within the zone of stick a component may be what two sums of 1e10 times its size leave
+        sticks = entry.profile.compact and (where == EDGE if where else i < STICKING)
         values[nt.c] = marks[0] + (radius - marks[0]) * 0.8 if len(marks) > 1 else 0.8 * radius
         point = _exact(entry, values)
         if values[nt.z] == 0.0:

@@ -306,6 +306,9 @@ def _ring(entry: Entry, values: Floats) -> arb:
             (edge,), a = entry.profile.breaks, arb(values[nt.a])
             b = arb(values[edge])
             return b + (a - b) * share_of_peak(_plain(equation.lhs - equation.rhs), edge, b / a)
+        if entry.quantity.symbol == nt.r_peak and entry.profile.chain:
+            end = entry.profile.chain[-1]
+            return arb(values[nt.a]) * _share_of_arc(equation.lhs - equation.rhs, end, values[nt.a], values[end])
         n = values[nt.n]
         find = _share_of_ring if isinstance(n, float) else _share_of_ring.__wrapped__
         rest = (equation.lhs - equation.rhs).subs(entry.quantity.symbol, nt.r_zero)
@@ -321,6 +324,19 @@ def _share_of_ring(rest: sp.Expr, n: float | arb) -> arb:
 
     # up to the radius where 1 - r**2/a**2 is 1/n and a side of the equation of zero pressure infinite
     return _between(missed, arb(-80), (1 - 1 / arb(n)).sqrt().log(), f"no ring for n = {n}")
+
+
+def _share_of_arc(rest: sp.Expr, end: sp.Symbol, *values: float | arb) -> arb:
+    """r_max/a beyond the radius at which the ring leaves the axis."""
+    a, R = map(arb, values)
+
+    def missed(share: arb) -> arb:
+        return Ball({nt.a: acb(a), end: acb(R), nt.r_peak: acb(a * share)}, False)(rest).real
+
+    # 1 - (r/a)**2 is between 1 and 8 times this, which is little next to the edge of the body
+    beyond = (R / a) ** 2 - 1
+    low = (1 - 8 * beyond).log() / 2 if beyond < arb(1) / 8 else arb(-80)
+    return _between(missed, low, (1 - beyond).log() / 2, f"no ring for a/{end} = {a / R}")
 
 
 def share_of_peak(rest: sp.Expr, b: sp.Symbol, ratio: Any) -> arb:

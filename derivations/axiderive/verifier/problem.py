@@ -40,11 +40,12 @@ class Problem:
         self.pieces = [tree(p["expr"]["="]) for p in self.profile["pieces"]]
         self.chain: Chain = tuple(tree(member["="]) for member in self.profile["chain"])
         self.floor = self.breaks[0] if self.breaks and self.pieces[0] == 0 else None
-        self.end_of_profile = next((high for low, high in itertools.pairwise(self.chain) if low == "a"), None)
+        end = next((high for low, high in itertools.pairwise(self.chain) if low == "a"), None)
+        self.ends: dict[str, Tree] = {name: one for name, one in (("floor", self.floor), ("end", end)) if one}
         self.rules = [(tree(rule["left"]["="]), tree(rule["right"]["="])) for rule in self.profile["rules"]]
         own = {tree(p["="]) for p in self.profile["parameters"] if p["="].startswith("Symbol")}
         shape = set().union(*map(symbols, self.pieces))
-        self.flags = {self.profile["contact"], *own, *shape, *self.groups, "normal"}
+        self.flags = {self.profile["contact"], *own, *shape, *self.groups, *self.ends, "normal"}
         self.flags |= {"convex"} if shape and "a" not in shape and self.profile["contact"] == "complete" else set()
         self.kind = next((kind for kind, needs in THEORY.kinds if set(needs) <= self.flags), "")
         self.fields: dict[Any, Field] = {}

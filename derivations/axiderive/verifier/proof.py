@@ -73,9 +73,8 @@ class Proof:
 
     def chained(self, text: str) -> Chain:
         """An order of the table; its floor is the break up to which the face is level, its end that of the profile."""
-        ends = {"floor": self.problem.floor, "end": self.problem.end_of_profile}
-        found = [ends.get(member, member) for member in chain(text)]
-        return tuple(member for member in found if member is not None)
+        known = self.problem.ends
+        return tuple(ordered(put(m, known)) for m in chain(text) if m in known or m not in ("floor", "end"))
 
     def domains(self) -> list[tuple[Domain, Chain]]:
         """Every order of a, the breaks, the lengths of the profile and those that the section names.
@@ -83,7 +82,7 @@ class Proof:
         With it comes the order in which the case of the formula is stated: that of the lengths it depends on.
         """
         problem = self.problem
-        either = [chain(text) for line in self.lines if line.word == "either" for text in line.text.split(" | ")]
+        either = [self.chained(text) for line in self.lines if line.word == "either" for text in line.text.split(" | ")]
         stated = [self.chained(line.text) for line in self.lines if line.word == "case"]
         given = [pair for line in self.lines if line.word == "given" for pair in pairs(chain(line.text))]
         out = []
@@ -153,7 +152,7 @@ class Proof:
             known, letters, formula = line.named
             if known == name and self.holds(line.conditions, domain):
                 return self.expand(put(formula, dict(zip(letters, parts, strict=True))), domain)
-        return self.problem.medium.get(name, name)
+        return {**self.problem.medium, **self.problem.ends}.get(name, name)
 
     def formula(self, side: str, parts: list[Tree], domain: Domain, asking: Proof) -> Tree:
         """The formula of this quantity in a domain, with other letters; `UnknownError` if there is not one of them."""

@@ -9,6 +9,7 @@ import sympy as sp
 from ...entry import Entry
 from ...notation import a, r_peak
 from ...physics.medium import HOMOGENEOUS
+from ...physics.peak import stretch_of_arc
 from ...stable.signs import facts_of
 from ..private import PrivateFunctions
 from ..text import python
@@ -25,7 +26,7 @@ def bodies(compact: Compact, functions: PrivateFunctions, entries: Mapping[str, 
         return
     ring, greatest = entries["rp"], entries["pp"]
     if ring.status == "root":
-        build = _beyond if compact.b else _of_power
+        build = _of_arc if stretch_of_arc(ring.profile) else _beyond if compact.b else _of_power
         build(compact, functions, greatest)
         return
     if all(case.expr == 0 for case in ring.cases):
@@ -49,6 +50,16 @@ def _of_power(compact: Compact, functions: PrivateFunctions, entry: Entry) -> No
     *lines, value = functions.returned(form)
     lines += ["rise = rise_to_greatest_pressure(n)", f"greatest = {value.removeprefix('return ')}"]
     functions.add(entry.quantity.function, ("a",), [*lines, "return np.where(n > 1.0, greatest, np.inf)"])
+
+
+def _of_arc(compact: Compact, functions: PrivateFunctions, entry: Entry) -> None:
+    """By the angles artanh(a/R) and artanh(u) of equal levels, which say more than the radii next to the edge."""
+    (case,), stretch = entry.cases, stretch_of_arc(entry.profile)
+    within = f"np.where({compact.domain()}, {{}}, np.nan)"
+    place = f"(a, {case.chain[-1]})"
+    functions.add(RADIUS, ("a",), [f"return {within.format(f'arc_peak_radius{place}')}"])
+    greatest = f"{python(HOMOGENEOUS.pressure_scale * stretch)} * arc_peak_pressure{place}"
+    functions.add(entry.quantity.function, ("a",), [f"return {within.format(greatest)}"])
 
 
 def _beyond(compact: Compact, functions: PrivateFunctions, entry: Entry) -> None:

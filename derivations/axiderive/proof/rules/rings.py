@@ -26,6 +26,8 @@ def greatest(proof: Compact) -> list[str]:
     entry = proof.entries["rp"]
     if (n := free_power(proof)) is not None:
         return _of_power(proof, entry, n)
+    if len(proof.profile.pieces) == 1 and entry.status == "root":
+        return _of_arc(proof, entry)
     regimes = tuple(case.chain for case in proof.entry("d").cases)
     require_regions(entry, regimes)
     if all(case.expr == 0 for case in entry.cases):
@@ -109,6 +111,36 @@ def _of_power(proof: Compact, entry: Entry, n: sp.Symbol) -> list[str]:
     ]
 
 
+def _of_arc(proof: Compact, entry: Entry) -> list[str]:
+    """With D = left - right of the equation, of which the left side is a number, dp/dr = F D.
+
+    D is zero on the axis and below zero at the edge. dD/dr over a positive weight falls with r, from a positive
+    multiple of level - 1 on: D falls up to level = 1, and beyond it rises and then falls, through one zero.
+    """
+    level, one = next(member for member in entry.cases[0].chain if member != 1), sp.S.One
+    require_regions(entry, ((level, one), (one, level)))
+    said = {case.chain: case.expr for case in entry.cases}
+    centre, ring = said[level, one], said[one, level]
+    (whole,), end = proof.entry("p").cases, proof.profile.chain[-1]
+    inside, regime = proof.domain(whole.chain), proof.domain((a, end))
+    left, right = (side.subs(r_peak, r) for side in (ring.args if isinstance(ring, sp.Eq) else (ring, ring)))
+    inner, outer = sp.sqrt(a**2 - r**2), sp.sqrt(end**2 - r**2)
+    stretch = normal(canonical(sp.diff(proof.profile.pieces[0].expr, r) * outer / r, inside), inside)
+    factor = proof.medium.pressure_scale * stretch * end / (r * inner)
+    bend = normal(canonical(-sp.diff(right, r) * (outer**2 / end) ** 2 / (r * sp.atanh(inner / outer)), inside), inside)
+    start = 3 * (level - 1) / sp.atanh(a / end)
+    falls = sign(factor, inside) > 0 and sign(sp.diff(bend, r), inside) < 0
+    if centre != 0 or left.has(r) or not falls or sign(left - at(right, r, a), regime) >= 0:
+        message = "dp/dr that is negative up to level = 1, and changes its sign once beyond, is not shown"
+        raise NotProvedError(message)
+    return [
+        require_zero(sp.diff(whole.expr, r) - factor * (left - right), inside, "dp/dr = F (left - right), F > 0"),
+        require_zero(left - at(right, r, sp.S.Zero), regime, "left = right on the axis, left < right at the edge"),
+        "d(left - right)/dr over a positive weight falls with r",
+        require_zero(at(bend, r, sp.S.Zero) - start, regime, "from a positive multiple of level - 1"),
+    ]
+
+
 def _scale(proof: Compact) -> sp.Expr:
     """E* g'(a)/pi, from the proved depth."""
     return proof.medium.pressure_scale * sp.diff(proof.depth_of((a,)), a)
@@ -165,10 +197,10 @@ def greatest_pressure(proof: Compact) -> list[str]:
     if (n := free_power(proof)) is not None:
         return _pressure_of_power(proof, entry, n)
     rings, pressure = proof.entries["rp"].cases, proof.entry("p").cases
-    require_regions(entry, tuple(case.chain for case in rings))
+    require_regions(entry, tuple(case.chain for case in proof.entry("d").cases))
     if all(case.expr == 0 for case in rings):
         return [_on_axis_is(proof, own, pressure) for own in entry.cases]
-    (ring,), (own,) = rings, entry.cases
+    (ring, *_), (own,) = rings, entry.cases
     if proof.entries["rp"].status != "root":
         (whole,) = pressure
         require(
@@ -177,9 +209,8 @@ def greatest_pressure(proof: Compact) -> list[str]:
         # roots of irrational numbers are not in the tower, their squares are
         squares = sp.expand(own.expr**2) - sp.expand((whole.expr**2).subs(r, ring.expr))
         return [require_zero(squares, proof.domain(ring.chain), "p_max^2 = p(r_max)^2, both positive")]
-    (b,) = proof.profile.breaks
-    outer = next(case for case in pressure if case.chain == (b, r, a))
-    return [require_zero(own.expr.subs(r_peak, r) - outer.expr, proof.domain(outer.chain), "p_max = p(r_max), r > b")]
+    outer = next(case for case in pressure if case.chain[case.chain.index(a) - 1] == r)
+    return [require_zero(own.expr.subs(r_peak, r) - outer.expr, proof.domain(outer.chain), "p_max = p(r_max)")]
 
 
 def _on_axis_is(proof: Compact, own: Case, pressure: Sequence[Case]) -> str:
