@@ -59,8 +59,8 @@ def test_a_module_has_only_what_is_asked_for():
 
 
 def test_a_wrong_slope_is_not_emitted(monkeypatch):
-    right = "tip = Piece(PLAIN, 0.0, a, normal._slope, (R,))"
-    exchanged(monkeypatch, "subsurface/paraboloid.py", right, right.replace("(R,)", "(R * 1.00001,)"))
+    right = "tip = Piece(PLAIN, 0.0, a, polynomial, (0.0, 2 / R))"
+    exchanged(monkeypatch, "subsurface/paraboloid.py", right, right.replace("2 / R", "2.00001 / R"))
     with pytest.raises(CommandError, match=r"stress\(.* gives Stress\(.* instead of"):
         composed_from(BALL + FRICTION + wanted("stress"))
 

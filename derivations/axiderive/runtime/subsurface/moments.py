@@ -34,8 +34,8 @@ class Sums(NamedTuple):
     """W."""
 
 
-def sums(orders: int, r: Array, z: Array, xi: Array, eta: Array, slope: Sequence[Array]) -> Sums:
-    """The sums for m below `orders` of a slope with these coefficients, at points off the edge and the tip.
+def sums(orders: int, r: Array, z: Array, xi: Array, eta: Array, slope: Sequence[Array], *, sunk: bool) -> Sums:
+    """The sums for m below `orders` of a slope with these coefficients, and W if `sunk`, off the edge and the tip.
 
     They lose digits with the distance.  (xi + i eta)**2 is rho**2 at t = 1.
     """
@@ -56,15 +56,19 @@ def sums(orders: int, r: Array, z: Array, xi: Array, eta: Array, slope: Sequence
     kernel = (flat * xi + upright * eta) / (xi * xi + eta * eta)
     s, d, w, square, earlier = np.zeros((orders, r.size)), np.zeros((orders, r.size)), 0.0, away * away, row
     for j, c in enumerate(slope):
+        loaded = c.any()
+        if loaded:
+            s -= c * row[:, 1]
+            d += c * ((j * earlier[:, 0] if j else first[:, 0] / away) - kernel)
+        if not sunk and j + 1 == len(slope):
+            break
         turned = _turned(row)
         following = turned * z * (2 * j + 1 + m)
         following[1:] -= m[1:] * turned[:-1]
         following -= end
         following += away * first if j == 0 else earlier * (j * square)
         following /= j + 1 + m
-        if c.any():
-            s -= c * row[:, 1]
-            d += c * ((j * earlier[:, 0] if j else first[:, 0] / away) - kernel)
+        if loaded:
             w = w + c / (j + 1) * (turn - following[0, 0])
         earlier, row = row, following
     return Sums(r, z, s, d, w)

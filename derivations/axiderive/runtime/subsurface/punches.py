@@ -46,7 +46,7 @@ HIGHEST = 6
 """Terms of a slope with closed forms: each loses digits with the distance."""
 POINTED, SHALLOW = 1e-12, 0.3
 """Distances from the tip, in contact radii, and depths beside the contact, in those from the edge, of closed forms."""
-AROUND = ((1.2, 2 * MANY), (2.2, MANY))
+AROUND = ((1.2, 32), (2.2, 16))
 """Half the sums of the distances from both ends of a diameter, in contact radii, from which a slope t**j needs no more
 than half so many nodes: the error of a rule is a power of the axes of this ellipse."""
 
@@ -253,6 +253,9 @@ class Numbers(NamedTuple):
     made: Callable[[Sums, Array], tuple[Array, ...]]
     """Of the sums over a polynomial slope, and of the contact radius."""
     orders: int
+    """How many of the sums S_m and D_m it takes."""
+    sunk: bool
+    """Whether it takes W."""
     infinite: tuple[int, ...]
     """Those that are infinite where the pressure is."""
     lost: tuple[int, ...]
@@ -275,11 +278,11 @@ def _friction_of(own: Sums, a: Array) -> tuple[Array, ...]:
     return r * s[1], 0.5 * r * (s[1] + r * r * s[3]), deep * s[2], deep * d[1], deep * r * d[2], s[0] - z * s[1]
 
 
-STRESS = Numbers(_of_stress, 5, _stress_of, 3, (0, 2, 3), (1, 4))
+STRESS = Numbers(_of_stress, 5, _stress_of, 3, False, (0, 2, 3), (1, 4))
 """S_0, (S_0 + S_2)/2, S_0 + D_0, S_0 - z S_1/r and D_1."""
-DISPLACEMENT = Numbers(_of_displacement, 4, _displacement_of, 3, (0,), (1,))
+DISPLACEMENT = Numbers(_of_displacement, 4, _displacement_of, 3, True, (0,), (1,))
 """S_0, S_1, r (S_0 + S_2)/2 and W."""
-FRICTION = Numbers(_of_friction, 6, _friction_of, 4, (5,), (0, 1, 2, 3, 4))
+FRICTION = Numbers(_of_friction, 6, _friction_of, 4, False, (5,), (0, 1, 2, 3, 4))
 """S_1, (S_1 + S_3)/2, z S_2/r, D_1, D_2 and S_0 - z S_1/r."""
 
 
@@ -288,13 +291,14 @@ def superposed(numbers: Numbers, r: Array, z: Array, pieces: Sequence[Piece]) ->
     total = np.zeros((numbers.size, r.size))
     for piece in pieces:
         shape = [np.broadcast_to(np.asarray(x, float), r.shape) for x in _arrays(piece)]
-        here = np.flatnonzero((shape[1] > shape[0]) & np.isfinite(r + z) & (r >= 0.0) & (z >= 0.0))
-        if here.size:
-            low, high, length, longest, power, sharp, *others = (x[here] for x in shape)
+        inside = (shape[1] > shape[0]) & np.isfinite(r + z) & (r >= 0.0) & (z >= 0.0)
+        if inside.any():
+            here = slice(None) if inside.all() else np.flatnonzero(inside)
+            low, high, length, longest, power, _, *others = (x[here] for x in shape)
             own = Piece(piece.variable, low, high, piece.slope, tuple(others), length, longest, power)
             rule = _of_polynomial if piece.slope is polynomial and len(others) <= HIGHEST else _of_piece
             total[:, here] += rule(numbers, r[here], z[here], own)
-            ends = here[(sharp != 0.0) & (r[here] == low) & (z[here] == 0.0)]
+            ends = inside & (shape[5] != 0.0) & (r == shape[0]) & (z == 0.0)
             for row in numbers.infinite:
                 total[row, ends] = np.inf
     return total
@@ -314,7 +318,10 @@ def polynomial(t: Array, *coefficients: Array) -> Array:
 
 def _of_polynomial(numbers: Numbers, r: Array, z: Array, piece: Piece) -> Array:
     """The numbers of a polynomial slope: closed next to the contact, from a rule around it, else from panels."""
-    a, total = piece.high, np.empty((numbers.size, r.size))
+    a, total, slope, scale = piece.high, np.empty((numbers.size, r.size)), [], 1.0
+    for c in piece.parameters:
+        slope.append(c * scale)
+        scale = scale * a
     x, y, gap = r / a, z / a, (a - r) / a
     around = 0.5 * (np.sqrt(gap * gap + y * y) + np.sqrt((x + 1.0) ** 2 + y * y))
     (near, many), (far, few) = AROUND
@@ -326,23 +333,18 @@ def _of_polynomial(numbers: Numbers, r: Array, z: Array, piece: Piece) -> Array:
         own = piece._replace(low=low, high=high, length=length, longest=longest, power=power, parameters=tuple(others))
         total[:, rest] = _of_piece(numbers, r[rest], z[rest], own)
 
-    def summed(o: Array, slope: list[Array]) -> Array:
-        own = punch(x[o], y[o], np.ones(o.size), gap[o])
-        return np.array(numbers.made(sums(numbers.orders, own.r, own.z, own.xi, own.flat, slope), a[o]))
-
-    def ruled(count: int) -> Callable[[Array, list[Array]], Array]:
-        def found(o: Array, slope: list[Array]) -> Array:
-            return _around(numbers, count, r[o][:, None], z[o][:, None], a[o][:, None], slope)
-
-        return found
-
-    ways = ((closed, POINTS * 4, summed), ((around >= near) & (around < far), POINTS, ruled(many)),
-            (around >= far, 2 * POINTS, ruled(few)))  # fmt: skip
-    for where, block, rule in ways:
+    rings = (closed, 4 * POINTS, 0), ((around >= near) & (around < far), POINTS, many), (around >= far, 2 * POINTS, few)
+    for where, block, count in rings:
         points = np.flatnonzero(where)
         for begin in range(0, points.size, block):
             o = points[begin : begin + block]
-            total[:, o] = rule(o, [c[o] * a[o] ** j for j, c in enumerate(piece.parameters)])
+            rates = [c[o] for c in slope]
+            if count:
+                total[:, o] = _around(numbers, count, r[o][:, None], z[o][:, None], a[o][:, None], rates)
+            else:
+                own = punch(x[o], y[o], np.ones(o.size), gap[o])
+                made = sums(numbers.orders, own.r, own.z, own.xi, own.flat, rates, sunk=numbers.sunk)
+                total[:, o] = numbers.made(made, a[o])
     return total
 
 
@@ -353,14 +355,13 @@ def _around(numbers: Numbers, count: int, r: Array, z: Array, a: Array, slope: l
     """
     total = np.zeros((numbers.size, len(r)))
     for odd in (0, 1):
-        terms = [c for c in slope[odd::2] if c.any()]
-        if terms:
-            nodes, weights = gauss_legendre(count if odd else count // 2)
-            nodes, weights = nodes[-count // 2 :], weights[-count // 2 :]
+        rates = slope[odd::2]
+        if any(c.any() for c in rates):
+            nodes, weights = (x[-count // 2 :] for x in gauss_legendre(count if odd else count // 2))
             own = 2.0 * nodes - 1.0 if odd else np.sqrt(nodes)
             share = 2.0 * weights * own if odd else weights / (2.0 * own)
-            rate = polynomial(own * own, *(c[:, None] for c in slope[odd::2])) * share
-            total += _sums(numbers, punch(r, z, a * own, a * own - r), rate * a)
+            weight = polynomial(own * own, *(c[:, None] for c in rates)) * share * a
+            total += _sums(numbers, punch(r, z, a * own, a * own - r), weight)
     return total
 
 
