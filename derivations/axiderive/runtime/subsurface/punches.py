@@ -330,7 +330,7 @@ def _of_polynomial(numbers: Numbers, r: Array, z: Array, piece: Piece) -> Array:
     if rest.size:
         shape = (piece.low, a, piece.length, piece.longest, piece.power)
         low, high, length, longest, power, *others = (own[rest] for own in (*shape, *piece.parameters))
-        own = piece._replace(low=low, high=high, length=length, longest=longest, power=power, parameters=tuple(others))
+        own = Piece(piece.variable, low, high, polynomial, tuple(others), length, longest, power)
         total[:, rest] = _of_piece(numbers, r[rest], z[rest], own)
 
     rings = (closed, 4 * POINTS, 0), ((around >= near) & (around < far), POINTS, many), (around >= far, 2 * POINTS, few)
@@ -342,8 +342,8 @@ def _of_polynomial(numbers: Numbers, r: Array, z: Array, piece: Piece) -> Array:
             if count:
                 total[:, o] = _around(numbers, count, r[o][:, None], z[o][:, None], a[o][:, None], rates)
             else:
-                own = punch(x[o], y[o], np.ones(o.size), gap[o])
-                made = sums(numbers.orders, own.r, own.z, own.xi, own.flat, rates, sunk=numbers.sunk)
+                one = punch(x[o], y[o], np.ones(o.size), gap[o])
+                made = sums(numbers.orders, one.r, one.z, one.xi, one.flat, rates, sunk=numbers.sunk)
                 total[:, o] = numbers.made(made, a[o])
     return total
 
@@ -358,10 +358,10 @@ def _around(numbers: Numbers, count: int, r: Array, z: Array, a: Array, slope: l
         rates = slope[odd::2]
         if any(c.any() for c in rates):
             nodes, weights = (x[-count // 2 :] for x in gauss_legendre(count if odd else count // 2))
-            own = 2.0 * nodes - 1.0 if odd else np.sqrt(nodes)
-            share = 2.0 * weights * own if odd else weights / (2.0 * own)
-            weight = polynomial(own * own, *(c[:, None] for c in rates)) * share * a
-            total += _sums(numbers, punch(r, z, a * own, a * own - r), weight)
+            t = 2.0 * nodes - 1.0 if odd else np.sqrt(nodes)
+            share = 2.0 * weights * t if odd else weights / (2.0 * t)
+            weight = polynomial(t * t, *(c[:, None] for c in rates)) * share * a
+            total += _sums(numbers, punch(r, z, a * t, a * t - r), weight)
     return total
 
 
