@@ -50,8 +50,13 @@ def test_all_functions_below_a_ball(tmp_path):
         space["stress"](0.0, np.ma.masked_array([1.0]), 1e-3)
 
 
-def test_a_module_has_only_what_is_asked_for():
-    text = composed_from(BALL + FRICTION + wanted("displacement")).files["scene.py"].decode()
+def test_a_module_has_only_what_is_asked_for_at_a_depth_too():
+    """The centre of a contact sinks by the depth at which the normal contact has its radius."""
+    asked = wanted("displacement", "radius_from_depth").replace("[want]", '[want]\nat = { d = "0.1 mm" }')
+    text = composed_from(BALL + FRICTION + asked).files["scene.py"].decode()
+    assert "Example: at d = 0.0001 m it is a = 0.001 m, F = 30769.23 N." in text
+    space = module(text.encode())
+    assert space["displacement"](0.0, 0.0, space["radius_from_depth"](1e-4)).z == pytest.approx(1e-4, rel=1e-14)
     assert not [
         name for name in ("FRICTION", "SlidingStress", "greatest", "E_star", "mu =", "EXP", "COSH") if name in text
     ]
@@ -59,8 +64,8 @@ def test_a_module_has_only_what_is_asked_for():
 
 
 def test_a_wrong_slope_is_not_emitted(monkeypatch):
-    right = "tip = Piece(PLAIN, 0.0, a, normal._slope, (R,))"
-    exchanged(monkeypatch, "subsurface/paraboloid.py", right, right.replace("(R,)", "(R * 1.00001,)"))
+    right = "tip = Piece(PLAIN, 0.0, a, polynomial, (0.0, 2 / R))"
+    exchanged(monkeypatch, "subsurface/paraboloid.py", right, right.replace("2 / R", "2.00001 / R"))
     with pytest.raises(CommandError, match=r"stress\(.* gives Stress\(.* instead of"):
         composed_from(BALL + FRICTION + wanted("stress"))
 

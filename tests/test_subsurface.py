@@ -23,6 +23,7 @@ from axicontact._runtime.subsurface.punches import (
     STRESS,
     TANH,
     Piece,
+    polynomial,
     punch,
     superposed,
 )
@@ -228,11 +229,13 @@ def places(count: int) -> list[tuple[float, float]]:
     return [*found, (0.0, 0.4), (0.0, 1e-9), (0.7, 1e-31), (0.7, 1e-25), (1e-20, 1e-12)]
 
 
-@pytest.mark.parametrize("growth", [[1], [0, 1], [0, 0, 0, 1], [1, 2, 0, 3]])
+@pytest.mark.parametrize("growth", [[1], [0, 1], [0, 0, 0, 1], [1, 2, 0, 3], [0, 0, 0, 0, 0, 1]])
 def test_the_rule_keeps_its_digits_everywhere(growth: list[int]) -> None:
     points = places(40)
     r, z = np.array(points).T
-    pieces = [Piece(PLAIN, 0.0, 1.0, lambda t: sum(x * t**j for j, x in enumerate(growth)) + 0.0 * t, ())]
+    # by the closed forms, and by the rule alone
+    slopes = polynomial, lambda t, *rates: polynomial(t, *rates)
+    pieces = [Piece(PLAIN, 0.0, 1.0, slope, tuple(map(float, growth))) for slope in slopes]
     if sum(x > 0 for x in growth) == 1:
         j = len(growth) - 1.0
         pieces.append(Piece(EXP, 0.0, 1.0, lambda t: t**j, (), 1.0, 2.0 / (j + 1.0), j + 1.0))

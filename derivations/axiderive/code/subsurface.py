@@ -242,13 +242,16 @@ class _Source:
         if self.summed:
             # sixteen nodes are exact for a power 31 of a slope and a kernel
             longest = "longest=np.inf if len(A) < 9 else 8.0 * a / len(A)"
-            return f"Piece(PLAIN, 0.0, {high}, partial(normal._slope, A=A), (), {longest}, sharp=A[0] > 0.0)"
-        slope, (kind, length) = regimes.slopes["tip"][1].value, regimes.scale("tip")
+            rates = "tuple(j * depth_over_height(j) * A_j for j, A_j in enumerate(A, 1))"
+            return f"Piece(PLAIN, 0.0, {high}, polynomial, {rates}, {longest}, sharp=A[0] > 0.0)"
+        form, (kind, length) = regimes.slopes["tip"][1], regimes.scale("tip")
+        if not form.steps and form.value.is_polynomial(t):
+            return _polynomial(high, form.value)
         own = self.known["_slope"][1:]
         start = f"0.0, {high}, normal._slope, {_tuple(own[1:] if own[:1] == ['root'] else own)}"
         if kind in ("tanh", "sinh"):
             return f"Piece({kind.upper()}, {start}, {length}, 2.0)"
-        return _piece(start, high, slope, regimes)
+        return _piece(start, high, form.value, dict(form.steps))
 
     def fixed(self) -> list[Function]:
         """Of a contact with a fixed edge: it is pressed in by what the depth is more than g."""
@@ -263,9 +266,6 @@ class _Source:
         facts, functions = facts_of((a,)), PrivateFunctions(self.profile)
         depth = parse(face).depth(Order((a,))).expr()
         slope = slope_form(depth, facts).value.subs(C, coefficient)
-        names = sorted({str(symbol) for symbol in slope.free_symbols} - {"t"}, key=self.geometry.index)
-        doc = "Rate g'(t) of the depth g(t) of the face."
-        rate = Function("_slope", ["t"], names, [f"return {python(slope)}"], doc)
         form = evaluation_form(sp.factor_terms(depth.subs(C, coefficient)), facts)
         lines, whole = functions.steps(form), python(form.value)
         if self.entries["F"].partial is not None:
@@ -274,24 +274,32 @@ class _Source:
             lines.append(f"edge = np.maximum(d - {whole}, 0.0)")
         else:
             lines += [f"radius = {radius}", f"edge = d - ({whole})"]
+        if slope.is_polynomial(t):
+            return [self.shaped(lines, [_polynomial("radius", slope)])]
+        names = sorted({str(symbol) for symbol in slope.free_symbols} - {"t"}, key=self.geometry.index)
+        doc = "Rate g'(t) of the depth g(t) of the face."
+        rate = Function("_slope", ["t"], names, [f"return {python(slope)}"], doc)
         start = f"0.0, radius, _slope, {_tuple(names)}"
-        return [self.shaped(lines, [_piece(start, "radius", slope, None)]), rate]
+        return [self.shaped(lines, [_piece(start, "radius", slope, {})]), rate]
 
 
-def _piece(start: str, high: str, slope: sp.Expr, regimes: Regimes | None) -> str:
-    """The piece of a slope without singular points, or of a power of t."""
+def _polynomial(high: str, slope: sp.Expr) -> str:
+    """The piece of a slope that is a polynomial of t."""
+    rates = [python(c) if c else "0.0" for c in reversed(sp.Poly(slope, t).all_coeffs())]
+    sharp = ", sharp=True" if slope.subs(t, 0) != 0 else ""
+    return f"Piece(PLAIN, 0.0, {high}, polynomial, {_tuple(rates)}{sharp})"
+
+
+def _piece(start: str, high: str, slope: sp.Expr, steps: Mapping[sp.Symbol, sp.Expr]) -> str:
+    """The piece of a slope that is a power of t, or that has waves."""
     powers = [p.exp for p in slope.atoms(sp.Pow) if p.base == t and p.exp.free_symbols]
     if powers:
         n = python(powers[0])
         return f"Piece(EXP, {start}, {high}, 3.0 / ({n} + 3.0), {n}, {n} <= 1.0)"
-    calls = slope.atoms(masters.Dawson, masters.StruveH)
-    if regimes is not None and calls:
-        form = regimes.slopes["tip"][1]
-        (argument, *_) = {call.args[-1].subs(dict(form.steps)) for call in calls}
-        # radians of waves in a panel: six leave 880 units of the last place next to an edge, four 65
-        longest = python(sp.cancel(t / argument) * (4 if slope.has(masters.StruveH) else 1))
-        return f"Piece(PLAIN, {start}, longest={longest})"
-    return f"Piece(PLAIN, {start}{'' if slope.has(t) else ', sharp=True'})"
+    (argument,) = {call.args[-1].subs(steps) for call in slope.atoms(masters.Dawson, masters.StruveH)}
+    # radians of waves in a panel: six leave 880 units of the last place next to an edge, four 65
+    longest = python(sp.cancel(t / argument) * (4 if slope.has(masters.StruveH) else 1))
+    return f"Piece(PLAIN, {start}, longest={longest})"
 
 
 def _tuple(names: Sequence[str]) -> str:
