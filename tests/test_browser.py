@@ -177,7 +177,7 @@ def test_the_search_knows_the_words_people_use(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 @needs_browser
-@pytest.mark.parametrize("width", PHONES)
+@pytest.mark.parametrize("width", [PHONES[0], *(pytest.param(width, marks=pytest.mark.sweep) for width in PHONES[1:])])
 def test_a_browser_renders_every_formula_of_every_page(site: dict[str, str], tmp_path: Path, width: int) -> None:
     found, console = rendered(site, tmp_path, PAGES, width)
     assert _check(found, console, site) > 3000

@@ -170,6 +170,7 @@ def test_source_digest_sees_every_file_of_a_package(tmp_path, monkeypatch):
 
 def test_import_digest_follows_what_a_function_uses(tmp_path, monkeypatch):
     """Comments, docstrings, files and what is not used do not count, what is imported inside a function does."""
+    monkeypatch.setattr(sources, "_KEPT", sources._Kept())
     monkeypatch.setattr(sources, "__file__", str(tmp_path / "engine" / "store" / "sources.py"))
     for name in ("_module", "_source"):
         monkeypatch.setattr(sources, name, getattr(sources, name).__wrapped__)

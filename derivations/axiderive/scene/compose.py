@@ -24,7 +24,7 @@ from .linker.linking import OWN, Wanted
 from .page import page_sources
 from .reading import Scene
 from .references import check_values
-from .translation import translated
+from .translation import programs, translated
 
 if TYPE_CHECKING:
     from ..expression.answer import Answer
@@ -109,6 +109,8 @@ class _Composition:
             known = evidence.stored(request, self.profile, self.answer)
             page = page_sources(request, self.profile, self.entries, known)
             typeset(page)
+        # what has no program is refused before anything is integrated
+        language = programs(self.contact, self.answer) if request.language in {*request.formats} - {"python"} else None
         (text, wanted), stem = self._module(), request.module.removesuffix(".py")
         free = {name: self.contact.all[name] for name in request.free}
         values = check_values(self.contact, {one.name: one.keywords for one in wanted})
@@ -117,7 +119,7 @@ class _Composition:
         if request.language in request.formats:
             head = module.head(request, self.profile, self.answer, self.contact)
             own = {request.module: text, f"test_{stem}.py": test_text(stem, run, free, self._origin())}
-            written = own if request.language == "python" else translated(self.contact, head.strip(), run, self.answer)
+            written = own if language is None else translated(self.contact, language, head.strip(), run)
             files |= {name: content.encode() for name, content in written.items()}
         if "tex" in request.formats:
             files |= page

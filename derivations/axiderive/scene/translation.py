@@ -25,10 +25,8 @@ UNITS = {"radius": "m", "force": "N", "depth": "m"}
 """Of the state of pull-off."""
 
 
-def translated(contact: Contact, head: str, run: Run, answer: Answer | None) -> dict[str, str]:
-    """Module and test of a scene by the names of their files; `head` is what the module says of itself.
-
-    The programs are those of the catalogue, or of the answer where the profile is an expression.
+def programs(contact: Contact, answer: Answer | None) -> Standalone:
+    """Those of a scene, of the catalogue or of the answer where the profile is an expression.
 
     Raises
     ------
@@ -48,10 +46,15 @@ def translated(contact: Contact, head: str, run: Run, answer: Answer | None) -> 
         nearest = ", ".join(filter(None, dict.fromkeys(_nearest(contact, language, name) for name in missing)))
         others = f", or ask for the nearest that has one: {nearest}" if nearest else ""
         reasons = "; ".join(dict.fromkeys(missing.values()))
-        message = (
-            f'{", ".join(missing)}: no program in {request.language} ({reasons}); write language = "python"{others}'
-        )
+        told = f'no program in {request.language} ({reasons}); write language = "python"{others}'
+        message = f"{', '.join(missing)}: {told}"
         raise CommandError(message, USAGE)
+    return language
+
+
+def translated(contact: Contact, language: Standalone, head: str, run: Run) -> dict[str, str]:
+    """Module and test of a scene by the names of their files; `head` is what the module says of itself."""
+    request = contact.request
     stem, suffix = request.module.rpartition(".")[0], language.suffix
     free = {own: contact.all[own] for own in request.free}
     calls = [Call(value.function, {**_given(contact, value.function, value.fields), **free, **dict(value.keywords)},

@@ -210,13 +210,11 @@ def inline(program: Program, frozen: frozenset[str]) -> None:
     uses = Counter(name.id for node in program.trees.values() for name in references(node))
     for key, count in uses.items():
         callee = program.functions.get(key)
-        site = next(_sites(program, key), None)
-        if callee is None or key in program.wanted or count > 1 or site is None or site.owner is callee:
+        # whose decorators do more than its lines
+        if callee is None or key in program.wanted or count > 1 or callee.decorator_list:
             continue
-        if callee.decorator_list:  # which do more than its lines
-            continue
-        lines = _lines(callee)
-        if lines is None or not _means_the_same(site, callee, frozen):
+        lines, site = _lines(callee), next(_sites(program, key), None)
+        if lines is None or site is None or site.owner is callee or not _means_the_same(site, callee, frozen):
             continue
         name = "" if site.fits(_value(callee)) else f"plain_{key.partition(':')[2].lstrip('_')}"
         if (lines or name) and not site.straight or name in bound(site.owner):
