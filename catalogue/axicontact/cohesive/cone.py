@@ -21,14 +21,20 @@ from .._runtime.physics.cohesive import (
     opening,
     outer_radius,
     pull_of_zone,
-    root_near,
     root_of_zone,
-    still,
     sunk,
     tension_of_zone,
     work_of_zone,
 )
-from .._runtime.physics.cohesive_states import State, Stretch, parted, radii, radius_of_pull_off, radius_under
+from .._runtime.physics.cohesive_states import (
+    State,
+    Stretch,
+    parted,
+    radii,
+    radius_of_pull_off,
+    radius_under,
+    state_near,
+)
 from ..normal import cone as normal
 
 if TYPE_CHECKING:
@@ -606,15 +612,30 @@ def _displacement(r: Array, a: Array, theta: Array, E_star: Array, dgamma: Array
     return _displacement_of(r, a, _zone(a, theta, E_star, dgamma, sigma_0), theta, E_star, dgamma, sigma_0)
 
 
+def _growth(a: Array, theta: Array) -> Array:
+    """Rate g'(a) of the depth of the normal contact."""
+    return np.where(a > 0.0, normal._slope(a, theta), 0.0)
+
+
 def _radii(theta: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Stretch:
     first = _zone(np.zeros_like(sigma_0), theta, E_star, dgamma, sigma_0)
     return radii(first)
 
 
 def _state(a: Array, start: Array, theta: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str) -> State:
-    q, rate = root_near(partial(_opened, theta=theta), start, a, E_star, dgamma, sigma_0)
     load = _force_of if control == "force" else _depth_of
-    return State(a, q, still(rate, a, q, control, E_star, sigma_0), load(a, q, theta, E_star, dgamma, sigma_0))
+    growth = _growth(a, theta)
+    return state_near(
+        partial(_opened, theta=theta),
+        growth,
+        lambda q: load(a, q, theta, E_star, dgamma, sigma_0),
+        start,
+        a,
+        control,
+        E_star,
+        dgamma,
+        sigma_0,
+    )
 
 
 def _pull_off_radius(theta: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str) -> Array:

@@ -21,15 +21,21 @@ from .._runtime.physics.cohesive import (
     opening,
     outer_radius,
     pull_of_zone,
-    root_near,
     root_of_zone,
-    still,
     sunk,
     tension_of_zone,
     work_of_zone,
     zone_within,
 )
-from .._runtime.physics.cohesive_states import State, Stretch, parted, radii_on_bump, radius_of_pull_off, radius_under
+from .._runtime.physics.cohesive_states import (
+    State,
+    Stretch,
+    parted,
+    radii_on_bump,
+    radius_of_pull_off,
+    radius_under,
+    state_near,
+)
 from ..normal import gaussian as normal
 
 if TYPE_CHECKING:
@@ -645,24 +651,33 @@ def _displacement(r: Array, a: Array, h: Array, s: Array, E_star: Array, dgamma:
     return _displacement_of(r, a, _zone(a, h, s, E_star, dgamma, sigma_0), h, s, E_star, dgamma, sigma_0)
 
 
+def _growth(a: Array, h: Array, s: Array) -> Array:
+    """Rate g'(a) of the depth of the normal contact."""
+    return np.where(a > 0.0, normal._slope(a, h, s), 0.0)
+
+
 def _radii(h: Array, s: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Stretch:
     first = _zone(np.zeros_like(sigma_0), h, s, E_star, dgamma, sigma_0)
-    end = 1.5019752682686114 * s
-    return radii_on_bump(
-        first,
-        end,
-        lambda a: zone_within(partial(_opened, h=h, s=s), a, E_star, dgamma, sigma_0, difference_root(end, a)),
-    )
+    return radii_on_bump(first, 1.5019752682686114 * s)
 
 
 def _state(
     a: Array, start: Array, h: Array, s: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str
 ) -> State:
-    q, rate = root_near(
-        partial(_opened, h=h, s=s), start, a, E_star, dgamma, sigma_0, difference_root(1.5019752682686114 * s, a)
-    )
     load = _force_of if control == "force" else _depth_of
-    return State(a, q, still(rate, a, q, control, E_star, sigma_0), load(a, q, h, s, E_star, dgamma, sigma_0))
+    growth = _growth(a, h, s)
+    return state_near(
+        partial(_opened, h=h, s=s),
+        growth,
+        lambda q: load(a, q, h, s, E_star, dgamma, sigma_0),
+        start,
+        a,
+        control,
+        E_star,
+        dgamma,
+        sigma_0,
+        difference_root(1.5019752682686114 * s, a),
+    )
 
 
 def _pull_off_radius(h: Array, s: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str) -> Array:

@@ -20,14 +20,20 @@ from .._runtime.physics.cohesive import (
     opening_beside,
     outer_radius,
     pull_of_zone,
-    root_near,
     root_of_zone,
-    still,
     sunk,
     tension_of_zone,
     work_of_zone,
 )
-from .._runtime.physics.cohesive_states import State, Stretch, parted, radii, radius_of_pull_off, radius_under
+from .._runtime.physics.cohesive_states import (
+    State,
+    Stretch,
+    parted,
+    radii,
+    radius_of_pull_off,
+    radius_under,
+    state_near,
+)
 from ..normal import hyperboloid as normal
 
 if TYPE_CHECKING:
@@ -652,6 +658,11 @@ def _displacement(r: Array, a: Array, theta: Array, b: Array, E_star: Array, dga
     return _displacement_of(r, a, _zone(a, theta, b, E_star, dgamma, sigma_0), theta, b, E_star, dgamma, sigma_0)
 
 
+def _growth(a: Array, theta: Array, b: Array) -> Array:
+    """Rate g'(a) of the depth of the normal contact."""
+    return np.where(a > 0.0, normal._slope(a, theta, b), 0.0)
+
+
 def _radii(theta: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Stretch:
     first = _zone(np.zeros_like(sigma_0), theta, b, E_star, dgamma, sigma_0)
     return radii(first)
@@ -660,9 +671,19 @@ def _radii(theta: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array)
 def _state(
     a: Array, start: Array, theta: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str
 ) -> State:
-    q, rate = root_near(partial(_opened, theta=theta, b=b), start, a, E_star, dgamma, sigma_0)
     load = _force_of if control == "force" else _depth_of
-    return State(a, q, still(rate, a, q, control, E_star, sigma_0), load(a, q, theta, b, E_star, dgamma, sigma_0))
+    growth = _growth(a, theta, b)
+    return state_near(
+        partial(_opened, theta=theta, b=b),
+        growth,
+        lambda q: load(a, q, theta, b, E_star, dgamma, sigma_0),
+        start,
+        a,
+        control,
+        E_star,
+        dgamma,
+        sigma_0,
+    )
 
 
 def _pull_off_radius(theta: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str) -> Array:

@@ -14,6 +14,7 @@ from .._runtime.integrals import difference_root
 from .._runtime.interface import Array, Result, either, elementwise, numbers, require, require_order
 from .._runtime.physics.adhesion import PullOff, require_control
 from .._runtime.physics.cohesive import (
+    CLOSEST,
     Separated,
     alone,
     lift_of_zone,
@@ -21,14 +22,20 @@ from .._runtime.physics.cohesive import (
     opening_tip,
     outer_radius,
     pull_of_zone,
-    root_near,
     root_of_zone,
-    still,
     sunk,
     tension_of_zone,
     work_of_zone,
 )
-from .._runtime.physics.cohesive_states import State, Stretch, parted, radii_by, radius_of_pull_off, radius_under
+from .._runtime.physics.cohesive_states import (
+    State,
+    Stretch,
+    parted_by,
+    radii_by,
+    radius_of_pull_off,
+    radius_under,
+    state_near,
+)
 from ..normal import rounded_curved_punch as normal
 
 if TYPE_CHECKING:
@@ -708,6 +715,13 @@ def _displacement(
     return _displacement_of(r, a, _zone(a, R1, R2, b, E_star, dgamma, sigma_0), R1, R2, b, E_star, dgamma, sigma_0)
 
 
+def _growth(a: Array, R1: Array, R2: Array, b: Array) -> Array:
+    """Rate g'(a) of the depth of the normal contact."""
+    root = np.maximum(difference_root(a, b), CLOSEST * b)
+    tip = np.minimum(a, b)
+    return np.where(a < b, normal._slope(tip, R1), normal._slope_beyond(a, root, R1, R2, b))
+
+
 def _radii(R1: Array, R2: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Stretch:
     first = _zone(np.zeros_like(sigma_0), R1, R2, b, E_star, dgamma, sigma_0)
     return radii_by(first, b)
@@ -716,9 +730,19 @@ def _radii(R1: Array, R2: Array, b: Array, E_star: Array, dgamma: Array, sigma_0
 def _state(
     a: Array, start: Array, R1: Array, R2: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str
 ) -> State:
-    q, rate = root_near(partial(_opened, R1=R1, R2=R2, b=b), start, a, E_star, dgamma, sigma_0)
     load = _force_of if control == "force" else _depth_of
-    return State(a, q, still(rate, a, q, control, E_star, sigma_0), load(a, q, R1, R2, b, E_star, dgamma, sigma_0))
+    growth = _growth(a, R1, R2, b)
+    return state_near(
+        partial(_opened, R1=R1, R2=R2, b=b),
+        growth,
+        lambda q: load(a, q, R1, R2, b, E_star, dgamma, sigma_0),
+        start,
+        a,
+        control,
+        E_star,
+        dgamma,
+        sigma_0,
+    )
 
 
 def _pull_off_radius(
@@ -732,7 +756,7 @@ def _pull_off_radius(
 
 def _parted(R1: Array, R2: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     first = _zone(np.zeros_like(sigma_0), R1, R2, b, E_star, dgamma, sigma_0)
-    return parted(partial(_opened, R1=R1, R2=R2, b=b), first, E_star, sigma_0)
+    return parted_by(partial(_opened, R1=R1, R2=R2, b=b), first, b, E_star, sigma_0)
 
 
 def _pull_off_zone(a: Array, R1: Array, R2: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:

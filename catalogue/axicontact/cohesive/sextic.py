@@ -21,14 +21,20 @@ from .._runtime.physics.cohesive import (
     opening,
     outer_radius,
     pull_of_zone,
-    root_near,
     root_of_zone,
-    still,
     sunk,
     tension_of_zone,
     work_of_zone,
 )
-from .._runtime.physics.cohesive_states import State, Stretch, parted, radii, radius_of_pull_off, radius_under
+from .._runtime.physics.cohesive_states import (
+    State,
+    Stretch,
+    parted,
+    radii,
+    radius_of_pull_off,
+    radius_under,
+    state_near,
+)
 from ..normal import sextic as normal
 
 if TYPE_CHECKING:
@@ -602,15 +608,30 @@ def _displacement(r: Array, a: Array, A: Array, E_star: Array, dgamma: Array, si
     return _displacement_of(r, a, _zone(a, A, E_star, dgamma, sigma_0), A, E_star, dgamma, sigma_0)
 
 
+def _growth(a: Array, A: Array) -> Array:
+    """Rate g'(a) of the depth of the normal contact."""
+    return np.where(a > 0.0, normal._slope(a, A), 0.0)
+
+
 def _radii(A: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Stretch:
     first = _zone(np.zeros_like(sigma_0), A, E_star, dgamma, sigma_0)
     return radii(first)
 
 
 def _state(a: Array, start: Array, A: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str) -> State:
-    q, rate = root_near(partial(_opened, A=A), start, a, E_star, dgamma, sigma_0)
     load = _force_of if control == "force" else _depth_of
-    return State(a, q, still(rate, a, q, control, E_star, sigma_0), load(a, q, A, E_star, dgamma, sigma_0))
+    growth = _growth(a, A)
+    return state_near(
+        partial(_opened, A=A),
+        growth,
+        lambda q: load(a, q, A, E_star, dgamma, sigma_0),
+        start,
+        a,
+        control,
+        E_star,
+        dgamma,
+        sigma_0,
+    )
 
 
 def _pull_off_radius(A: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str) -> Array:

@@ -20,15 +20,21 @@ from .._runtime.physics.cohesive import (
     opening_below,
     outer_radius,
     pull_of_zone,
-    root_near,
     root_of_zone,
-    still,
     sunk,
     tension_of_zone,
     work_of_zone,
     zone_within,
 )
-from .._runtime.physics.cohesive_states import State, Stretch, parted, radii_up_to, radius_of_pull_off, radius_under
+from .._runtime.physics.cohesive_states import (
+    State,
+    Stretch,
+    parted,
+    radii_up_to,
+    radius_of_pull_off,
+    radius_under,
+    state_near,
+)
 from ..normal import sphere as normal
 
 if TYPE_CHECKING:
@@ -609,17 +615,31 @@ def _displacement(r: Array, a: Array, R: Array, E_star: Array, dgamma: Array, si
     return _displacement_of(r, a, _zone(a, R, E_star, dgamma, sigma_0), R, E_star, dgamma, sigma_0)
 
 
+def _growth(a: Array, R: Array) -> Array:
+    """Rate g'(a) of the depth of the normal contact."""
+    return np.where(a > 0.0, normal._slope(a, difference_root(R, a), R), 0.0)
+
+
 def _radii(R: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Stretch:
     first = _zone(np.zeros_like(sigma_0), R, E_star, dgamma, sigma_0)
-    return radii_up_to(
-        first, R, lambda a: zone_within(partial(_opened, R=R), a, E_star, dgamma, sigma_0, difference_root(R, a))
-    )
+    return radii_up_to(first, R)
 
 
 def _state(a: Array, start: Array, R: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str) -> State:
-    q, rate = root_near(partial(_opened, R=R), start, a, E_star, dgamma, sigma_0, difference_root(R, a))
     load = _force_of if control == "force" else _depth_of
-    return State(a, q, still(rate, a, q, control, E_star, sigma_0), load(a, q, R, E_star, dgamma, sigma_0))
+    growth = _growth(a, R)
+    return state_near(
+        partial(_opened, R=R),
+        growth,
+        lambda q: load(a, q, R, E_star, dgamma, sigma_0),
+        start,
+        a,
+        control,
+        E_star,
+        dgamma,
+        sigma_0,
+        difference_root(R, a),
+    )
 
 
 def _pull_off_radius(R: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str) -> Array:

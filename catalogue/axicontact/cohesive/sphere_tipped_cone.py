@@ -14,6 +14,7 @@ from .._runtime.integrals import difference_root
 from .._runtime.interface import Array, Result, either, elementwise, numbers, require, require_order
 from .._runtime.physics.adhesion import PullOff, require_control
 from .._runtime.physics.cohesive import (
+    CLOSEST,
     Separated,
     alone,
     lift_of_zone,
@@ -21,14 +22,20 @@ from .._runtime.physics.cohesive import (
     opening_tip,
     outer_radius,
     pull_of_zone,
-    root_near,
     root_of_zone,
-    still,
     sunk,
     tension_of_zone,
     work_of_zone,
 )
-from .._runtime.physics.cohesive_states import State, Stretch, parted, radii_by, radius_of_pull_off, radius_under
+from .._runtime.physics.cohesive_states import (
+    State,
+    Stretch,
+    parted_by,
+    radii_by,
+    radius_of_pull_off,
+    radius_under,
+    state_near,
+)
 from ..normal import sphere_tipped_cone as normal
 
 if TYPE_CHECKING:
@@ -617,6 +624,16 @@ def _displacement(r: Array, a: Array, R: Array, theta: Array, E_star: Array, dga
     return _displacement_of(r, a, _zone(a, R, theta, E_star, dgamma, sigma_0), R, theta, E_star, dgamma, sigma_0)
 
 
+def _growth(a: Array, R: Array, theta: Array) -> Array:
+    """Rate g'(a) of the depth of the normal contact."""
+    b = R * np.sin(theta)
+    root = np.maximum(difference_root(a, b), CLOSEST * b)
+    tip = np.minimum(a, b)
+    return np.where(
+        a < b, normal._slope(tip, np.sqrt((R - tip) * (R + tip)), R), normal._slope_beyond(a, root, R, theta)
+    )
+
+
 def _radii(R: Array, theta: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Stretch:
     first = _zone(np.zeros_like(sigma_0), R, theta, E_star, dgamma, sigma_0)
     return radii_by(first, R * np.sin(theta))
@@ -625,9 +642,19 @@ def _radii(R: Array, theta: Array, E_star: Array, dgamma: Array, sigma_0: Array)
 def _state(
     a: Array, start: Array, R: Array, theta: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str
 ) -> State:
-    q, rate = root_near(partial(_opened, R=R, theta=theta), start, a, E_star, dgamma, sigma_0)
     load = _force_of if control == "force" else _depth_of
-    return State(a, q, still(rate, a, q, control, E_star, sigma_0), load(a, q, R, theta, E_star, dgamma, sigma_0))
+    growth = _growth(a, R, theta)
+    return state_near(
+        partial(_opened, R=R, theta=theta),
+        growth,
+        lambda q: load(a, q, R, theta, E_star, dgamma, sigma_0),
+        start,
+        a,
+        control,
+        E_star,
+        dgamma,
+        sigma_0,
+    )
 
 
 def _pull_off_radius(R: Array, theta: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str) -> Array:
@@ -639,7 +666,7 @@ def _pull_off_radius(R: Array, theta: Array, E_star: Array, dgamma: Array, sigma
 
 def _parted(R: Array, theta: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     first = _zone(np.zeros_like(sigma_0), R, theta, E_star, dgamma, sigma_0)
-    return parted(partial(_opened, R=R, theta=theta), first, E_star, sigma_0)
+    return parted_by(partial(_opened, R=R, theta=theta), first, R * np.sin(theta), E_star, sigma_0)
 
 
 def _pull_off_zone(a: Array, R: Array, theta: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:

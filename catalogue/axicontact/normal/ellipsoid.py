@@ -12,10 +12,10 @@ import numpy as np
 from .._runtime.interface import Array, Plain, Result, elementwise, require
 from .._runtime.inverse import between, inverse
 from .._runtime.rules import displacement_integral_tanh
-from .._runtime.shapes.arcs import arc_strips
+from .._runtime.shapes.arcs import arc_peak_pressure, arc_peak_radius, arc_strips
 from .._runtime.shapes.energy import energy_integral_tanh
 from .._runtime.shapes.load_within import load_within_integral_tanh
-from .._runtime.special import tanh_gap
+from .._runtime.special import PeakPressure, tanh_gap
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -29,6 +29,7 @@ __all__ = [
     "force_from_depth",
     "load_within",
     "mean_pressure",
+    "peak_pressure",
     "pressure",
     "profile",
     "radius_from_depth",
@@ -579,6 +580,60 @@ def depth_from_force(F: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayL
     return elementwise(_depth_from_force, F, h=h, b=b, E_star=E_star)
 
 
+def peak_pressure(a: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> PeakPressure:
+    """Greatest pressure, and the radius of the ring on which it is.
+
+    p_peak = E_star*h*(atanh(sqrt(a**2 - r_peak**2)/sqrt(b**2 - r_peak**2))/sqrt(b**2 - r_peak**2) -
+    LegendreChi2((a - sqrt(a**2 - r_peak**2))/(b + sqrt(b**2 - r_peak**2)))/b + LegendreChi2((a + sqrt(a**2 -
+    r_peak**2))/(b + sqrt(b**2 - r_peak**2)))/b)/pi
+    with LegendreChi2: chi_2(x) = int_0^x atanh(t)/t dt = (Li_2(x) - Li_2(-x))/2, for 0 <= x < 1
+    r_peak = 0   for (a/b - b/(3*a))*atanh(a/b) < 1
+    r_peak from -a*atanh(a/b)/b + 1 = (-sqrt(a**2 - r_peak**2)*atanh(sqrt(a**2 - r_peak**2)/sqrt(b**2 -
+    r_peak**2))/sqrt(b**2 - r_peak**2) + 1)/(1 - r_peak**2/b**2)   for 1 < (a/b - b/(3*a))*atanh(a/b)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    h : array_like
+        Semi-axis along the axis of revolution [m], h > 0.
+    b : array_like
+        Semi-axis across, the largest radius of the body [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    PeakPressure
+        Named tuple of pressure [Pa] and radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < b; small slopes. Negative or NaN field values give NaN. Handbook: ellipsoid.rp,
+    ellipsoid.pp.
+
+    References
+    ----------
+    chapter 11, equation (11.23); Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import ellipsoid
+    >>> value = ellipsoid.peak_pressure(1.0, h=0.9, b=1.5, E_star=1.0)
+    >>> round(value.pressure, 6)
+    0.288624
+    """
+    require(h=h, b=b, E_star=E_star)
+    pressure = elementwise(_peak_pressure, a, h=h, b=b, E_star=E_star)
+    radius = elementwise(_peak_radius, a, b=b, unused=(h, E_star))
+    return PeakPressure(pressure, radius)
+
+
 def energy(a: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
     """Elastic energy, the work of pressing the indenter in.
 
@@ -737,6 +792,14 @@ def _stiffness(a: Array, E_star: Array) -> Array:
 
 def _mean_pressure(a: Array, h: Array, b: Array, E_star: Array) -> Array:
     return np.where(a > 0.0, _force(a, h, b, E_star) / (np.pi * a**2), 0.0)
+
+
+def _peak_radius(a: Array, b: Array) -> Array:
+    return np.where(a <= b, arc_peak_radius(a, b), np.nan)
+
+
+def _peak_pressure(a: Array, h: Array, b: Array, E_star: Array) -> Array:
+    return np.where(a <= b, E_star * h / (np.pi * b) * arc_peak_pressure(a, b), np.nan)
 
 
 def _energy(a: Array, h: Array, b: Array, E_star: Array) -> Array:

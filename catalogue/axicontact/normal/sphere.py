@@ -12,10 +12,10 @@ import numpy as np
 from .._runtime.interface import Array, Plain, Result, elementwise, require
 from .._runtime.inverse import between, inverse
 from .._runtime.rules import displacement_integral_tanh
-from .._runtime.shapes.arcs import arc_strips
+from .._runtime.shapes.arcs import arc_peak_pressure, arc_peak_radius, arc_strips
 from .._runtime.shapes.energy import energy_integral_tanh
 from .._runtime.shapes.load_within import load_within_integral_tanh
-from .._runtime.special import tanh_gap
+from .._runtime.special import PeakPressure, tanh_gap
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -29,6 +29,7 @@ __all__ = [
     "force_from_depth",
     "load_within",
     "mean_pressure",
+    "peak_pressure",
     "pressure",
     "profile",
     "radius_from_depth",
@@ -562,6 +563,58 @@ def depth_from_force(F: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result
     return elementwise(_depth_from_force, F, R=R, E_star=E_star)
 
 
+def peak_pressure(a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> PeakPressure:
+    """Greatest pressure, and the radius of the ring on which it is.
+
+    p_peak = E_star*(R*atanh(sqrt(a**2 - r_peak**2)/sqrt(R**2 - r_peak**2))/sqrt(R**2 - r_peak**2) -
+    LegendreChi2((a - sqrt(a**2 - r_peak**2))/(R + sqrt(R**2 - r_peak**2))) + LegendreChi2((a + sqrt(a**2 -
+    r_peak**2))/(R + sqrt(R**2 - r_peak**2))))/pi
+    with LegendreChi2: chi_2(x) = int_0^x atanh(t)/t dt = (Li_2(x) - Li_2(-x))/2, for 0 <= x < 1
+    r_peak = 0   for (-R/(3*a) + a/R)*atanh(a/R) < 1
+    r_peak from 1 - a*atanh(a/R)/R = (1 - sqrt(a**2 - r_peak**2)*atanh(sqrt(a**2 - r_peak**2)/sqrt(R**2 -
+    r_peak**2))/sqrt(R**2 - r_peak**2))/(1 - r_peak**2/R**2)   for 1 < (-R/(3*a) + a/R)*atanh(a/R)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    PeakPressure
+        Named tuple of pressure [Pa] and radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < R; the theory of small slopes asks for a << R. Negative or NaN field values give NaN.
+    Handbook: sphere.rp, sphere.pp.
+
+    References
+    ----------
+    chapter 11, equation (11.23); Segedin 1957; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import sphere
+    >>> value = sphere.peak_pressure(1.0, R=1.5, E_star=1.0)
+    >>> round(value.pressure, 6)
+    0.48104
+    """
+    require(R=R, E_star=E_star)
+    pressure = elementwise(_peak_pressure, a, R=R, E_star=E_star)
+    radius = elementwise(_peak_radius, a, R=R, unused=(E_star,))
+    return PeakPressure(pressure, radius)
+
+
 def energy(a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
     """Elastic energy, the work of pressing the indenter in.
 
@@ -715,6 +768,14 @@ def _stiffness(a: Array, E_star: Array) -> Array:
 
 def _mean_pressure(a: Array, R: Array, E_star: Array) -> Array:
     return np.where(a > 0.0, _force(a, R, E_star) / (np.pi * a**2), 0.0)
+
+
+def _peak_radius(a: Array, R: Array) -> Array:
+    return np.where(a <= R, arc_peak_radius(a, R), np.nan)
+
+
+def _peak_pressure(a: Array, R: Array, E_star: Array) -> Array:
+    return np.where(a <= R, E_star / np.pi * arc_peak_pressure(a, R), np.nan)
 
 
 def _energy(a: Array, R: Array, E_star: Array) -> Array:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._runtime.interface import Array, Result, require
-from .._runtime.subsurface.punches import PLAIN, Piece
+from .._runtime.subsurface.punches import PLAIN, Piece, polynomial
 from .._runtime.subsurface.stresses import (
     Displacement,
     Greatest,
@@ -383,9 +383,4 @@ def _shape(d: Array, a: Array, R: Array) -> tuple[Array, Array, tuple[Piece, ...
     """Contact radius, what its edge is pressed in beyond g, and the slope g' piece by piece."""
     radius = np.where(d >= 0.0, np.minimum(np.sqrt(R * d), a), np.nan)
     edge = np.maximum(d - a**2 / R, 0.0)
-    return radius, edge, (Piece(PLAIN, 0.0, radius, _slope, (R,)),)
-
-
-def _slope(t: Array, R: Array) -> Array:
-    """Rate g'(t) of the depth g(t) of the face."""
-    return 2 * t / R
+    return radius, edge, (Piece(PLAIN, 0.0, radius, polynomial, (0.0, 2 / R)),)

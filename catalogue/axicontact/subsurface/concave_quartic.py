@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._runtime.interface import Array, Result, require
-from .._runtime.subsurface.punches import PLAIN, Piece
+from .._runtime.subsurface.punches import PLAIN, Piece, polynomial
 from .._runtime.subsurface.stresses import (
     Displacement,
     Greatest,
@@ -390,9 +390,4 @@ def _shape(d: Array, a: Array, h: Array) -> tuple[Array, Array, tuple[Piece, ...
     """Contact radius, what its edge is pressed in beyond g, and the slope g' piece by piece."""
     radius = np.where(d >= normal._minimum_depth(h) * (1.0 - 1e-15), a, np.nan)
     edge = d - (-8 * h / 3)
-    return radius, edge, (Piece(PLAIN, 0.0, radius, _slope, (a, h)),)
-
-
-def _slope(t: Array, a: Array, h: Array) -> Array:
-    """Rate g'(t) of the depth g(t) of the face."""
-    return -32 * h * t**3 / (3 * a**4)
+    return radius, edge, (Piece(PLAIN, 0.0, radius, polynomial, (0.0, 0.0, 0.0, -32 * h / (3 * a**4))),)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._runtime.interface import Array, Result, require
-from .._runtime.subsurface.punches import PLAIN, Piece
+from .._runtime.subsurface.punches import PLAIN, Piece, polynomial
 from .._runtime.subsurface.stresses import (
     Displacement,
     Greatest,
@@ -471,5 +471,5 @@ def _shape(a: Array, theta: Array, d: Array | None = None) -> tuple[Array, Array
     depth = normal._depth(a, theta)
     radius = np.where(np.isnan(depth), np.nan, a)
     edge = 0.0 if d is None else d - depth
-    tip = Piece(PLAIN, 0.0, a, normal._slope, (theta,), sharp=True)
+    tip = Piece(PLAIN, 0.0, a, polynomial, (np.pi * np.tan(theta) / 2,), sharp=True)
     return radius, edge, (tip,)

@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from .._runtime.functions import depth_over_height
 from .._runtime.interface import Array, Result, require, require_coefficients
-from .._runtime.subsurface.punches import PLAIN, Piece
+from .._runtime.subsurface.punches import PLAIN, Piece, polynomial
 from .._runtime.subsurface.stresses import (
     Displacement,
     Greatest,
@@ -480,8 +481,8 @@ def _shape(a: Array, A: tuple[float, ...], d: Array | None = None) -> tuple[Arra
         PLAIN,
         0.0,
         a,
-        partial(normal._slope, A=A),
-        (),
+        polynomial,
+        tuple(j * depth_over_height(j) * A_j for j, A_j in enumerate(A, 1)),
         longest=np.inf if len(A) < 9 else 8.0 * a / len(A),
         sharp=A[0] > 0.0,
     )

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._runtime.interface import Array, Result, require
-from .._runtime.subsurface.punches import PLAIN, Piece
+from .._runtime.subsurface.punches import PLAIN, Piece, polynomial
 from .._runtime.subsurface.stresses import (
     Displacement,
     Greatest,
@@ -467,5 +467,5 @@ def _shape(a: Array, A: Array, d: Array | None = None) -> tuple[Array, Array, tu
     depth = normal._depth(a, A)
     radius = np.where(np.isnan(depth), np.nan, a)
     edge = 0.0 if d is None else d - depth
-    tip = Piece(PLAIN, 0.0, a, normal._slope, (A,))
+    tip = Piece(PLAIN, 0.0, a, polynomial, (0.0, 0.0, 0.0, 32 * A / 3))
     return radius, edge, (tip,)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._runtime.interface import Array, Result, require
-from .._runtime.subsurface.punches import COSH, PLAIN, Piece
+from .._runtime.subsurface.punches import COSH, PLAIN, Piece, polynomial
 from .._runtime.subsurface.stresses import (
     Displacement,
     Greatest,
@@ -500,6 +500,6 @@ def _shape(a: Array, theta: Array, b: Array, d: Array | None = None) -> tuple[Ar
     depth = normal._depth(a, theta, b)
     radius = np.where(np.isnan(depth), np.nan, a)
     edge = 0.0 if d is None else d - depth
-    tip = Piece(PLAIN, 0.0, np.minimum(a, b), normal._slope, (theta, b))
+    tip = Piece(PLAIN, 0.0, np.minimum(a, b), polynomial, (0.0, 2 * np.tan(theta) / b))
     beyond = Piece(COSH, b, np.maximum(a, b), normal._slope_beyond, (theta, b), b, 2.0)
     return radius, edge, (tip, beyond)

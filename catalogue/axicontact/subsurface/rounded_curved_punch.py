@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._runtime.interface import Array, Result, require
-from .._runtime.subsurface.punches import COSH, PLAIN, Piece
+from .._runtime.subsurface.punches import COSH, PLAIN, Piece, polynomial
 from .._runtime.subsurface.stresses import (
     Displacement,
     Greatest,
@@ -509,6 +509,6 @@ def _shape(a: Array, R1: Array, R2: Array, b: Array, d: Array | None = None) -> 
     depth = normal._depth(a, R1, R2, b)
     radius = np.where(np.isnan(depth), np.nan, a)
     edge = 0.0 if d is None else d - depth
-    tip = Piece(PLAIN, 0.0, np.minimum(a, b), normal._slope, (R1,))
+    tip = Piece(PLAIN, 0.0, np.minimum(a, b), polynomial, (0.0, 2 / R1))
     beyond = Piece(COSH, b, np.maximum(a, b), normal._slope_beyond, (R1, R2, b), b, 2.0)
     return radius, edge, (tip, beyond)

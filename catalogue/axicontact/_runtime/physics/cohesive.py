@@ -34,8 +34,6 @@ EXPONENTS = (0.5, 4.0)
 """Of the gap in q, as a guess: from the ring alone to the narrow zone of a steep profile."""
 CLOSE = 3e-8
 """Miss of the gap, by itself, that one more step in q makes small beside rounding."""
-SAME = 1e-12
-"""Change of q beyond which the rate is looked at again."""
 LEAST = 1e-17
 """What a root beyond a break is no less than, over that of c: it would be less than 0 by rounding where c is far."""
 CLOSEST = 1e-9
@@ -231,45 +229,23 @@ def root_of_zone(
     blend = 0.5 * (grown + ring)
     own = ring_of_zone(start, a, E_star, sigma_0) * (sigma_0 / dgamma)
     whole = (gap * (sigma_0 / dgamma)) ** (blend / grown) + own ** (blend / ring)
-    return root_near(opened, start * whole ** (-1.0 / blend), a, E_star, dgamma, sigma_0, largest, CLOSE)[0]
-
-
-def ring_of_zone(q: Array, a: Array, E_star: Array, sigma_0: Array) -> Array:
-    """What the ring adds to the gap at c."""
-    return 4.0 / np.pi * (sigma_0 / E_star) * q * (np.arctan2(q, a) - q / (np.hypot(a, q) + a))
-
-
-def root_near(
-    opened: Opening,
-    start: Array,
-    a: Array,
-    E_star: Array,
-    dgamma: Array,
-    sigma_0: Array,
-    largest: Array | float = np.inf,
-    close: float = 3e-7,
-) -> tuple[Array, Array]:
-    """The same from a guess on, and the rate of the gap with c there."""
-    load, looked = 4.0 / np.pi * (sigma_0 / E_star), []
+    start = np.minimum(start * whole ** (-1.0 / blend), WITHIN * largest)
+    load, value = 4.0 / np.pi * (sigma_0 / E_star), dgamma / sigma_0
 
     def curve(q: Array) -> tuple[Array, Array]:
         c, angle = np.hypot(a, q), np.arctan2(q, a)
         gap, rate = opened(q, a)
-        looked.append((q, rate))
         # 1 - a/c
         short = q / c * (q / (c + a))
         whole = gap + load * q * (angle - q / (c + a))
         return whole, q / whole * (q / c) * (rate + load * (angle / (q / c) - short))
 
-    value = dgamma / sigma_0
-    q = inverse(curve, value, np.minimum(start, WITHIN * largest), EXPONENTS, largest, smooth=True, noise=close * value)
-    # the last step is not looked at where two points say how the rate goes on
-    (before, rate_before), (last, rate) = looked[-2:][0], looked[-1]
-    known = (before != last) & (rate_before > 0.0)
-    if np.any(np.where(known, 0.0, np.abs(q - last)) > SAME * q):
-        return q, opened(q, a)[1]
-    ways = np.log(np.where(known, last / before, 1.0)), np.log(np.where(known, rate / rate_before, 1.0))
-    return q, rate * (q / last) ** np.where(known, ways[1] / np.where(known, ways[0], 1.0), 0.0)
+    return inverse(curve, value, start, EXPONENTS, largest, smooth=True, noise=CLOSE * value)
+
+
+def ring_of_zone(q: Array, a: Array, E_star: Array, sigma_0: Array) -> Array:
+    """What the ring adds to the gap at c."""
+    return 4.0 / np.pi * (sigma_0 / E_star) * q * (np.arctan2(q, a) - q / (np.hypot(a, q) + a))
 
 
 def sunk(q: Array, E_star: Array, sigma_0: Array) -> Array:
@@ -321,18 +297,6 @@ def _ring(near: Array, far: Array, kc: Array, end: Array, within: Array) -> Arra
         return np.where(within, far * root, near * (sine / root) * (sine * ratio)) * scale * np.cosh(v)
 
     return integral_in_strip(rate, last, NARROW)
-
-
-def still(rate: Array, a: Array, q: Array, control: str, E_star: Array, sigma_0: Array) -> Array:
-    """Rate of the gap with c over that at which the load does not change with a: above 1 the load grows.
-
-    What the ring adds to the gap and takes of the load has fallen out; no slope of the profile is left.
-    """
-    c, angle = np.hypot(a, q), np.arctan2(q, a)
-    level = q / c * (q / (c + a))
-    if control == "force":
-        rate, level = rate * (a / c), level * (a / c) + angle * angle
-    return rate / (4.0 / np.pi * (sigma_0 / E_star) * level)
 
 
 def alone(opened: Opening, c: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:

@@ -1,9 +1,9 @@
 """States of a cohesive zone: where the load is least, and where it has a value on the branch on which it grows.
 
-A state costs a root, and the zone of the next one is guessed from those around it: few states are looked at.  Between
-the radii of `Stretch`, below the first and above the last of them, the load has one minimum at most.  There it goes
-on from state to state until the minimum or the value lies between two; logarithms of both are nearly linear in that
-of the radius.
+A state knows how it goes on with the contact radius, and the zone of the next one is guessed from that: most ask for
+the gap once.  Between the radii of `Stretch`, below the first and above the last of them, the load has one minimum at
+most.  There it goes on from state to state until the minimum or the value lies between two; logarithms of both are
+nearly linear in that of the radius.
 """
 
 from __future__ import annotations
@@ -19,23 +19,44 @@ from .cohesive import WITHIN, Opening
 CORNER = (0.5, 0.9, 1.0, 1.01, 1.1, 1.5, 3.0)
 BUMP = (0.1, 0.25, 0.4, 0.55, 0.7, 0.85, 0.95)
 """Radii over that of a break, and over that at which a profile ends level."""
-LEAST, SHORT = 1e-20, 1e-2
-"""Of contact radii over the zone of a contact that closes: what counts as none, and what is below every end."""
-WALKED, STEPS, CLOSE = 90, 60, 1e-9
-"""States of a walk and of a search, and how near a walk comes to the end of a profile."""
-SETTLED, UNMOVED, ROUNDING = 1e-11, 1e-15, 1e-15
-"""The miss, left to a last step, and the step that end a search; how far below pull-off a load counts as that."""
-SHORTEST, LONGEST, STEEP, FLAT, BEYOND = 0.7, 27.0, 1.0, 0.3, 1.2
-"""Steps of a walk in ln a; the power of a with which what is missed grows, and its least; how far beyond it aims."""
+LEAST, SHORT, BESIDE = 1e-20, 1e-2, 2.0**-51
+"""Of contact radii over the zone of a contact that closes: what counts as none, and what is below every end; of radii
+over that of a break: what is beside it."""
+WALKED, STEPS, LOOKS, CLOSE = 90, 80, 60, 1e-9
+"""States of a walk and of a search, looks at one of them, and how near a walk comes to the end of a profile."""
+DEGREES, STIFF, ROUGH, FURTHEST, FINE = (0.5, 16.0), 1e8, 0.2, 3.0, 1e-7
+"""Degrees of the gap but next to breaks, and in the place of one where there is no gap yet; what the last step may
+change by itself, the largest step in ln q, and one that leaves a state exact."""
+NARROW, NARROWEST = 1e-4, 1e-6
+"""Over a: a q at which the degree of the gap has lost half of its digits, and at which it is nearly all rounding."""
+SETTLED, SMALL, PATIENCE, STEEP = 1e-15, 1e-4, 8, 8.0
+"""What a last step leaves and what is missed before it, where a search ends; the steps after which every other one
+halves unless it gets shorter; and the rate, over that of the chord, where none begins."""
+ROUNDING, MARGIN, ALIKE = 1e-15, 0.05, 0.5
+"""How far below pull-off a load counts as that; in ln a: how far beyond a state in doubt the root may be, and the
+length of a secant."""
+SHORTEST, LONGEST, BEYOND = 0.7, 27.0, 1.2
+"""Steps of a walk in ln a, and how far beyond what is looked for they aim."""
 
 
 class State(NamedTuple):
-    """Contact radius, q, the ratio of `still`, and the load."""
+    """Contact radius, q and load; above a ratio of 1 the load grows.  Rates are those with ln a."""
 
     a: Array
     q: Array
     ratio: Array
+    """Rate of the gap with c over that at which the load does not change with a; not a number beyond the profile."""
     load: Array
+    widening: Array
+    """Rate of ln q."""
+    steepening: Array
+    """Rate of ln ratio, for a gap that goes on like a power."""
+    gain: Array
+    """Rate of the load."""
+    off: Array
+    """How far ln q was from the root at the last look."""
+    doubt: Array
+    """What that may leave wrong of ln ratio."""
 
 
 class Stretch(NamedTuple):
@@ -46,76 +67,147 @@ class Stretch(NamedTuple):
     radii: list[Array]
     top: Array | float
     """What no radius is above."""
-    within: Callable[[Array], Array]
-    """The radius of a contact; not a number where its zone would reach beyond the profile."""
     rises: bool
     """Whether a load that falls at the last of them may grow beyond."""
 
 
 Near = Callable[[Array, Array], State]
 """The state at a radius, from a guess of q."""
-Missed = Callable[[State], Array]
-"""Below 0 before what is looked for, above 0 beyond."""
+Missed = Callable[[State], tuple[Array, Array]]
+"""Below 0 before what is looked for, above 0 beyond; and its rate with ln a."""
 
 
 def radii(first: Array) -> Stretch:
     """Of an endless profile without breaks."""
-    return Stretch(first, [first], np.inf, endless, True)
+    return Stretch(first, [first], np.inf, True)
 
 
 def radii_by(first: Array, corner: Array) -> Stretch:
     """Of a profile with a break."""
-    return Stretch(first, [corner * share for share in CORNER], np.inf, endless, True)
+    return Stretch(first, [corner * share for share in CORNER], np.inf, True)
 
 
-def radii_up_to(first: Array, largest: Array, within: Callable[[Array], Array]) -> Stretch:
+def radii_up_to(first: Array, largest: Array) -> Stretch:
     """Of a profile that ends steeply, where the load has one minimum."""
-    return Stretch(first, [SHORT * first], WITHIN * largest, within, True)
+    return Stretch(first, [SHORT * first], WITHIN * largest, True)
 
 
-def radii_on_bump(first: Array, largest: Array, within: Callable[[Array], Array]) -> Stretch:
+def radii_on_bump(first: Array, largest: Array) -> Stretch:
     """Of a profile that ends level."""
     own = [SHORT * BUMP[0] * first, *[largest * share for share in BUMP]]
-    return Stretch(first, own, WITHIN * largest, within, False)
+    return Stretch(first, own, WITHIN * largest, False)
 
 
-def endless(a: Array) -> Array:
-    """The radius: no zone reaches beyond."""
-    return a
+def state_near(
+    opened: Opening,
+    growth: Array,
+    loaded: Callable[[Array], Array],
+    start: Array,
+    a: Array,
+    control: str,
+    E_star: Array,
+    dgamma: Array,
+    sigma_0: Array,
+    largest: Array | float = np.inf,
+) -> State:
+    """The state at a contact radius from a guess of q, with g'(a) and the load as a function of q.
+
+    The last step to the root of the zone is not looked at: what it changes is known.  The gap is a function of a and c
+    of a degree n, a dgap/da + c dgap/dc = n gap, and its rate one of the degree n - 1, as far as n is constant.
+    """
+    share, value, last = 4.0 / np.pi * (sigma_0 / E_star), dgamma / sigma_0, WITHIN * largest
+    lifted = 2.0 / np.pi * growth * a
+    q, low, high = np.minimum(start, last), 0.0 * start, last
+    for _ in range(LOOKS):
+        c, angle = np.hypot(a, q), np.arctan2(q, a)
+        gap, rate = opened(q, a)
+        sine, short = q / c, q / c * (q / (c + a))
+        whole = gap + share * q * (angle - q / (c + a))
+        rise = q * sine * (rate + share * (angle / sine - short))
+        short_of = (value - whole) / whole
+        nearly = np.abs(short_of) < 0.5
+        off = np.where(nearly, np.log1p(np.where(nearly, short_of, 0.0)), np.log(value / whole)) * whole / rise
+        off = np.minimum(np.maximum(off, -FURTHEST), FURTHEST)
+        # the share of the edge at a in the rate of the gap
+        edge = np.where(rate > 0.0, lifted * (a / c) / np.where(rate > 0.0, q * rate, 1.0), 0.0)
+        known = gap > 0.0
+        degree = (c * rate - lifted * angle) / np.where(known, gap, 1.0)
+        degree = np.where(known, np.where(q > NARROWEST * a, degree, 2.0), STIFF)
+        doubt = np.abs(off) * (1.0 + edge + np.abs(degree) + q / (largest - q))
+        left = (doubt > ROUGH) & (np.abs(off) > FINE) & ((off < 0.0) | (q < last))
+        if not np.count_nonzero(left):
+            break
+        low, high = np.where(off > 0.0, q, low), np.where(off < 0.0, q, high)
+        ahead = np.minimum(q * np.exp(off), last)
+        # where the gap begins, steps would go to and fro
+        halved = np.sqrt(np.maximum(low, LEAST * high)) * np.sqrt(high)
+        q = np.where(left, np.where((ahead > low) & (ahead <= high), ahead, halved), q)
+    reached = (q < last) | (off <= 0.0)
+    power = np.minimum(np.maximum(degree, DEGREES[0]), DEGREES[1]) - 1.0
+    along = sine * sine * (power + edge)
+    gap = gap * np.exp(off * np.where(known, q * sine * rate / np.where(known, gap, 1.0), 0.0))
+    rate = rate * np.exp(np.minimum(np.maximum(off * along, -FURTHEST), FURTHEST))
+    q = q * np.exp(off)
+    c, angle = np.hypot(a, q), np.arctan2(q, a)
+    sine, cosine, short = q / c, a / c, q / c * (q / (c + a))
+    rise = q * sine * (rate + share * (angle / sine - short))
+    # what the gap gains with a where q stays: the difference of two large numbers in one form or in the other
+    gained = np.where(q < a, degree * gap - q * sine * rate, a * cosine * rate - lifted * angle)
+    widening = (share * a * cosine * short - gained) / rise
+    steepening = cosine * cosine * power - sine * sine * edge + along * widening
+    turn = sine * cosine * (widening - 1.0)
+    level, bend, ratio = short, sine, rate / share
+    if control == "force":
+        # what the ring adds to the gap and takes of the load has fallen out
+        level, bend, ratio = cosine * short + angle * angle, (2.0 * cosine - 1.0) * sine + 2.0 * angle, ratio * cosine
+        steepening = steepening + sine * sine * (1.0 - widening)
+        gain = 2.0 * E_star * a * a * growth - 4.0 * sigma_0 * (a * a * angle + q * (q * angle + a) * widening)
+    else:
+        gain = a * growth - 2.0 * (sigma_0 / E_star) * q * widening
+    steepening = steepening - bend * turn / level
+    return State(a, q, np.where(reached, ratio / level, np.nan), loaded(q), widening, steepening, gain, off, doubt)
 
 
 def radius_of_pull_off(near: Near, stretch: Stretch) -> Array:
     """That of the least load: 0 where it falls as long as there is a contact, not a number beyond the profile."""
-    return _least(_risen(near, _walked(near, stretch, _by_ratio, _never))).a
+    found = _walked(near, stretch, _by_ratio, _never)
+    return _least(_risen(near, found, stretch.first == stretch.first)).a
 
 
 def radius_under(near: Near, value: Array, stretch: Stretch) -> Array:
     """The largest radius with this load where the load grows, from that of the least load on."""
 
-    def missed(state: State) -> Array:
+    def missed(state: State) -> tuple[Array, Array]:
         # a load that falls, or is nothing yet, says nothing of the way
-        far = np.where(state.load > 0.0, np.log(np.maximum(state.load, LEAST * value) / value), -SHORTEST)
-        return np.where(state.ratio < 1.0, np.log(state.ratio), np.where(state.load < value, far, 0.0))
+        some, falls, below = state.load > 0.0, state.ratio < 1.0, state.load < value
+        far = np.where(some, np.log(np.maximum(state.load, LEAST * value) / value), -SHORTEST)
+        rate = np.where(falls, state.steepening, np.where(some, state.gain / np.where(some, state.load, 1.0), 0.0))
+        return np.where(falls, np.log(state.ratio), np.where(below, far, 0.0)), rate
 
     # where the load grows at a radius and is below the value, and reaches it above, minima further down do not matter
     found = _walked(near, stretch, missed, lambda state: (state.ratio >= 1.0) & (state.load <= value))
     if np.all(found[0].a > 0.0) and not np.all(found[-1].load >= value):
         found = _walked(near, stretch, missed, _never)
-    risen, left = _risen(near, found), value < np.inf
+    sought = value == value
+    if len(stretch.radii) == 1:
+        # with one minimum there is no other radius where the load grows
+        for low, high in zip(found, found[1:], strict=False):
+            sought = sought & np.logical_not((low.ratio >= 1.0) & (low.load <= value) & (high.load >= value))
+    risen, left = _risen(near, found, sought), value < np.inf
     least, a = _least(risen), np.full_like(value, np.nan)
     for start, high, _ in risen[::-1]:
         met = left & (start.load - value <= ROUNDING * (np.abs(start.load) + np.abs(value))) & (high.load >= value)
         met = met & (start.a >= least.a)
-        there = _between(near, _by_load(value, least), start, high, met)
+        there = _between(near, _by_load(value, least), start, high, met, exact=True)
         a, left = np.where(met, np.where(np.isnan(there.a), start.a, there.a), a), left & np.logical_not(met)
     return a
 
 
-def _risen(near: Near, found: list[State]) -> list[tuple[State, State, Array]]:
-    """States, or minima between two, with those that follow, and whether the load grows from there on."""
+def _risen(near: Near, found: list[State], sought: Array) -> list[tuple[State, State, Array]]:
+    """States, or minima between two that are sought, with those that follow; and whether the load grows from there."""
     risen = []
     for low, high in zip(found, found[1:], strict=False):
-        dips = (low.ratio < 1.0) & (high.ratio >= 1.0)
+        dips = sought & (low.ratio < 1.0) & (high.ratio >= 1.0)
         start = _chosen(dips, _between(near, _by_ratio, low, high, dips), low)
         risen.append((start, high, dips | (low.ratio >= 1.0)))
     return risen
@@ -131,45 +223,61 @@ def _least(risen: list[tuple[State, State, Array]]) -> State:
 
 def parted(opened: Opening, first: Array, E_star: Array, sigma_0: Array) -> Array:
     """The radius c of a zone without contact, up to its first one, at which the depth is least; 0 where it falls."""
+    near = _without_contact(opened, E_star, sigma_0)
+    return _parted(near, near(LEAST * first, first), near(first, first))
 
+
+def parted_by(opened: Opening, first: Array, corner: Array, E_star: Array, sigma_0: Array) -> Array:
+    """The same for a profile with a break, at which its slope may jump."""
+    near = _without_contact(opened, E_star, sigma_0)
+    before, after, beyond = near((1.0 - BESIDE) * corner, first), near((1.0 + BESIDE) * corner, first), first > corner
+    low = _chosen(beyond & (after.ratio < 1.0), after, near(LEAST * first, first))
+    high = _chosen(beyond & (before.ratio >= 1.0), before, near(first, first))
+    jumps = beyond & (before.ratio < 1.0) & (after.ratio >= 1.0)
+    return np.where(jumps, corner, _parted(near, low, high))
+
+
+def _without_contact(opened: Opening, E_star: Array, sigma_0: Array) -> Near:
     def near(c: Array, q: Array) -> State:
-        ratio = opened(c, np.zeros_like(c))[1] / (4.0 / np.pi * (sigma_0 / E_star))
-        return State(c, c, ratio, ratio)
+        gap, rate = opened(c, np.zeros_like(c))
+        ratio, known = rate / (4.0 / np.pi * (sigma_0 / E_star)), gap > 0.0
+        degree = np.where(known, c * rate / np.where(known, gap, 1.0), 2.0)
+        return State(c, c, ratio, ratio, np.ones_like(c), degree - 1.0, ratio, 0.0 * q, 0.0 * q)
 
-    last = near(first, first)
-    least = _between(near, _by_ratio, _none(last)._replace(a=np.zeros_like(first)), last, last.ratio >= 1.0)
+    return near
+
+
+def _parted(near: Near, low: State, high: State) -> Array:
+    least = _between(near, _by_ratio, low, high, high.ratio >= 1.0)
     return np.where(np.isnan(least.a), 0.0, least.a)
 
 
-def _by_ratio(state: State) -> Array:
-    return np.log(state.ratio)
+def _by_ratio(state: State) -> tuple[Array, Array]:
+    return np.log(state.ratio), state.steepening
 
 
 def _by_load(value: Array, least: State) -> Missed:
     """What is missed of a load above the least one, which grows as (ln a)**2 there and as a power of a far from it."""
     size = np.abs(least.load)
-    wanted = np.log1p(np.sqrt((value - least.load) / size))
+    wanted = np.sqrt((value - least.load) / size)
 
-    def missed(state: State) -> Array:
-        known = np.log1p(np.sqrt(np.maximum(state.load - least.load, 0.0) / size))
-        return np.where(np.abs(state.load - value) <= ROUNDING * (size + np.abs(value)), 0.0, known - wanted)
+    def missed(state: State) -> tuple[Array, Array]:
+        known = np.sqrt(np.maximum(state.load - least.load, 0.0) / size)
+        same = np.abs(state.load - value) <= ROUNDING * (size + np.abs(value))
+        rate = state.gain / size / np.where(known > 0.0, 2.0 * known * (1.0 + known), 1.0)
+        return np.where(same, 0.0, np.log1p(known) - np.log1p(wanted)), rate
 
     return missed
 
 
 def _none(state: State) -> State:
     """In the place of a state: there is none."""
-    return State(
-        np.full_like(state.a, np.nan), state.q, np.full_like(state.ratio, np.nan), np.full_like(state.load, np.inf)
-    )
+    nothing = np.full_like(state.a, np.nan)
+    return state._replace(a=nothing, ratio=nothing, load=np.full_like(state.load, np.inf))
 
 
 def _chosen(condition: Array, one: State, other: State) -> State:
-    return State(*_picked(condition, one, other))
-
-
-def _picked(condition: Array, one: tuple[Array, ...], other: tuple[Array, ...]) -> list[Array]:
-    return [np.where(condition, x, y) for x, y in zip(one, other, strict=True)]
+    return State(*[np.where(condition, x, y) for x, y in zip(one, other, strict=True)])
 
 
 def _never(state: State) -> Array:
@@ -181,12 +289,10 @@ def _walked(near: Near, stretch: Stretch, missed: Missed, enough: Callable[[Stat
 
     They begin at the highest of the radii at which there is `enough`, without a contact if there is none.
     """
-    first, own, top, within, rises = stretch
-    states, guides = list[State](), list[State]()
+    first, own, top, rises = stretch
+    states = list[State]()
     for a in own[::-1]:
-        guess = _guess(guides, a) if guides else first
-        states.append(near(within(a), guess))
-        guides.append(State(a, np.where(np.isnan(states[-1].q), guess, states[-1].q), *states[-1][2:]))
+        states.append(near(a, _guess(states[-1], a) if states else first))
         if np.all(enough(states[-1])):
             break
     found = [] if np.all(enough(states[-1])) else [near(np.zeros_like(first), first)]
@@ -195,80 +301,67 @@ def _walked(near: Near, stretch: Stretch, missed: Missed, enough: Callable[[Stat
         reached = here.ratio == here.ratio
         found.append(_chosen(reached, here, found[-1]) if found else here)
         top = np.where(reached, top, np.minimum(a, top))
-    last = found[-1]
-    step, ended, steep = np.full_like(first, SHORTEST), first != first, np.full_like(first, STEEP)
+    last, step, ended = found[-1], np.full_like(first, SHORTEST), first != first
     for _ in range(WALKED):
-        short = missed(last)
+        short, rate = missed(last)
         more = (short < 0.0) & (last.a * (1.0 + CLOSE) < top) & (rises | (last.ratio >= 1.0))
         if not np.count_nonzero(more):
             break
-        step = np.minimum(np.maximum(-BEYOND * short / steep, step), LONGEST)
+        aimed = np.where(rate > 0.0, -BEYOND * short / np.where(rate > 0.0, rate, 1.0), step)
+        step = np.minimum(np.maximum(aimed, step), LONGEST)
         # halves of the way to where there was none
         ahead = np.where(ended, np.sqrt(last.a * top), top)
         a = np.where(more, np.minimum(last.a * np.exp(step), ahead), last.a)
-        here, step = near(within(a), _guess(found, a)), 2.0 * step
+        here, step = near(a, _guess(last, a)), 2.0 * step
         reached = here.ratio == here.ratio
-        gained = missed(here) - short
-        steep = np.where(gained > 0.0, np.maximum(gained / np.log(a / last.a), FLAT), steep)
-        last, top, ended = _chosen(reached, here, last), np.where(reached, top, a), ended | np.logical_not(reached)
+        last, top = _chosen(more & reached, here, last), np.where(reached, top, a)
+        ended = ended | np.logical_not(reached)
         found.append(last)
     return found
 
 
-def _guess(found: list[State], a: Array) -> Array:
-    """q at a radius, by a line in logarithms through the last two states."""
-    last, before = found[-1], found[-2:][0]
-    known = (before.a > 0.0) & (last.a != before.a)
-    slope = np.where(known, np.log(last.q / before.q) / np.log(last.a / before.a), 0.0)
-    return last.q * np.where(known, (a / last.a) ** slope, 1.0)
+def _guess(state: State, a: Array) -> Array:
+    """q at another radius."""
+    known = (state.a > 0.0) & (state.ratio == state.ratio)
+    wider = np.log(np.where(known, a / np.where(known, state.a, 1.0), 1.0)) * np.where(known, state.widening, 0.0)
+    return state.q * np.exp(np.minimum(np.maximum(wider, -FURTHEST), FURTHEST))
 
 
-def _between(near: Near, missed: Missed, low: State, high: State, holds: Array) -> State:
-    """Where what is missed changes its sign between two states, by parabolas in ln a or halves (Chandrupatla 1997)."""
-    low, high = _above_nothing(near, missed, low, high, holds)
-    holds = holds & (missed(low) < 0.0)
+def _between(near: Near, missed: Missed, low: State, high: State, holds: Array, exact: bool = False) -> State:
+    """Where what is missed changes its sign between two states, by steps along its rate, or secants, or halves."""
+    unit = high.a
+    (y_low, rate_low), (y, rate) = missed(low), missed(high)
+    bottom = np.log(np.maximum(low.a / unit, LEAST)) - np.where(np.abs(y_low) < low.doubt, MARGIN, 0.0)
+    top = np.where(np.abs(y) < high.doubt, MARGIN, 0.0 * unit)
+    holds = holds & (y_low < 0.0)
     if not np.count_nonzero(holds):
         return _none(high)
-    unit, best, left = high.a, high, holds
-    # the last point, one beyond the root from it, and the one before
-    x, y, z = 0.0 * unit, missed(high), np.log(high.q)
-    x_b, y_b, z_b = np.log(low.a / unit), missed(low), np.log(low.q)
-    x_c, y_c, z_c = x_b, y_b, z_b
-    share = np.where((y > 0.0) & (y_b > -np.inf), y / (y - y_b), 0.5)
-    for _ in range(STEPS):
-        moved = x + share * (x_b - x)
-        slope = (z_b - z) / (x_b - x)
-        bend = np.where(x_c == x_b, 0.0, (slope - (z_c - z) / (x_c - x)) / (x_b - x_c))
-        state = near(unit * np.exp(moved), np.exp(z + (moved - x) * (slope + (moved - x_b) * bend)))
-        found, gone = missed(state), np.abs(moved - x)
-        rest = np.where((np.abs(found) <= SETTLED) & (found != y), found * (moved - x) / (found - y), 0.0)
-        best = _chosen(left, state._replace(a=unit * np.exp(moved - rest)), best)
-        left = left & (np.abs(found) > SETTLED) & (gone > UNMOVED)
+    # not from where the rate is infinite, or nearly so
+    closer = (low.a > 0.0) & (-y_low < y) & (rate_low * (top - bottom) < STEEP * (y - y_low))
+    here, best, left = _chosen(closer, low, high), high, holds
+    x = np.where(closer, np.log(np.maximum(low.a / unit, LEAST)), 0.0)
+    y, rate, moved = np.where(closer, y_low, y), np.where(closer, rate_low, rate), unit
+    for number in range(STEPS):
+        sure = (np.abs(y) >= here.doubt) | (np.abs(here.off) <= FINE)
+        bottom = np.where(sure & (y < 0.0), np.maximum(bottom, x), bottom)
+        top = np.where(sure & (y > 0.0), np.minimum(top, x), top)
+        # a state in doubt is looked at again
+        aim = np.where(sure, x - y / np.where(rate > 0.0, rate, 1.0), x)
+        halved = np.logical_not((aim >= bottom) & (aim <= top))
+        if number >= PATIENCE and number % 2 == 0:
+            halved = halved | (sure & (4.0 * np.abs(aim - x) > moved))
+        aim = np.where(halved, 0.5 * (bottom + top), aim)
+        step = np.abs(aim - x)
+        best = _chosen(left, here._replace(a=unit * np.exp(aim)), best)
+        narrow = here.q <= NARROW * here.a
+        after = np.where(halved, 1.0, np.where(narrow | (not exact), np.maximum(moved, step), step))
+        left = left & ((step * after > SETTLED) | (np.abs(here.off) > FINE) | (np.abs(y) > SMALL))
         if not np.count_nonzero(left):
             break
-        same = (found >= 0.0) == (y >= 0.0)
-        last, beyond = (x, y, z), (x_b, y_b, z_b)
-        (x_c, y_c, z_c), (x_b, y_b, z_b) = _picked(same, last, beyond), _picked(same, beyond, last)
-        x, y, z = moved, found, np.log(state.q)
-        xi, phi = (x - x_b) / (x_c - x_b), (y - y_b) / (y_c - y_b)
-        smooth = (phi * phi < xi) & ((1.0 - phi) * (1.0 - phi) < 1.0 - xi)
-        more = (x_c - x) / (x_b - x) * (y_b / (y_c - y_b))
-        share = np.where(smooth, y / (y_b - y) * (y_c / (y_b - y_c)) + y / (y_c - y) * more, 0.5)
-        share = np.where((share > 0.0) & (share < 1.0), share, 0.5)
+        here = near(unit * np.exp(aim), _guess(here, unit * np.exp(aim)))
+        before, x, moved = (x, y), aim, step
+        y, rate = missed(here)
+        alike = (moved < ALIKE) & (moved > 0.0) & (narrow | (not exact)) & (before[1] > -np.inf) & (y > -np.inf)
+        secant = np.where(alike, (y - before[1]) / np.where(alike, x - before[0], 1.0), 0.0)
+        rate = np.where(secant > 0.0, secant, rate)
     return _chosen(holds, best, _none(best))
-
-
-def _above_nothing(near: Near, missed: Missed, low: State, high: State, holds: Array) -> tuple[State, State]:
-    """Two states with a contact on both sides of what is looked for, where the lower one has none."""
-    step, least = np.full_like(high.a, SHORTEST), LEAST * high.a
-    for _ in range(WALKED):
-        more = holds & (low.a <= 0.0)
-        if not np.count_nonzero(more):
-            break
-        step = np.minimum(np.maximum(BEYOND * missed(high) / STEEP, step), LONGEST)
-        a = np.where(more, np.maximum(high.a * np.exp(-step), least), high.a)
-        here, step = near(a, high.q), 2.0 * step
-        beyond = (missed(here) >= 0.0) & (a > least)
-        low = _chosen(more & np.logical_not(beyond), here, low)
-        high = _chosen(more & beyond, here, high)
-    return low, high

@@ -1,12 +1,17 @@
-"""The strips of a circular or elliptic arc: the part of its pressure that is a difference of dilogarithms."""
+"""Circular and elliptic arcs: the part of the pressure that is a difference of dilogarithms, and the greatest pressure.
+
+With a = R tanh(y), the level (y tanh(y) - 1)/cosh(y)**2 rises up to y = 1.71792 and falls beyond, to zero.  There the
+ring of greatest pressure has left the axis: r_max/a is sqrt(1 - (sinh(v)/sinh(y))**2) with v < y of the same level.
+"""
 
 from __future__ import annotations
 
 import numpy as np
 
+from ..functions import rational
 from ..integrals import difference_root
 from ..interface import Array
-from ..kernels import LEGENDRE_CHI
+from ..kernels import ARC_FAR, ARC_NEAR, LEGENDRE_CHI
 from ..rules import pressure_integral_tanh
 
 END = 0.7
@@ -36,3 +41,36 @@ def arc_strips(r: Array, a: Array, R: Array) -> Array:
 
 def _arc_rate(t: Array, root: Array) -> Array:
     return np.arcsinh(t / root)
+
+
+PEAK, NEAR, LEVEL = 1.7179204967675554, 0.8, 0.03812728612374059
+"""Where the ring leaves the axis; how far beyond the first kernel goes, and the level where the second one begins."""
+
+
+def arc_peak_radius(a: Array, R: Array) -> Array:
+    """r_max for a <= R."""
+    y, root = _angle(a, R)
+    share = np.sinh(_lower_angle(y)) * root / a
+    return np.where(y > PEAK, a * np.sqrt((1.0 - share) * (1.0 + share)), 0.0)
+
+
+def arc_peak_pressure(a: Array, R: Array) -> Array:
+    """pi/E* times the greatest pressure under R - sqrt(R**2 - r**2), a <= R."""
+    y, root = _angle(a, R)
+    v = _lower_angle(y)
+    strips = arc_strips(arc_peak_radius(a, R), a, R)
+    return R * v / (root * np.cosh(v)) + np.where((a > 0.0) & (a < R), strips, 0.0)
+
+
+def _angle(a: Array, R: Array) -> tuple[Array, Array]:
+    """artanh(a/R), of which beyond 40 nothing is asked, and sqrt(R**2 - a**2)."""
+    root = difference_root(R, a)
+    return np.minimum(np.arcsinh(a / root), 40.0), root
+
+
+def _lower_angle(y: Array) -> Array:
+    """The other angle of the same level; y itself up to the peak."""
+    beyond = np.maximum(y - PEAK, 0.0)
+    near = np.minimum(beyond, NEAR)
+    short = np.maximum(LEVEL - (y * np.tanh(y) - 1.0) / np.cosh(y) ** 2, 0.0)
+    return np.where(beyond > NEAR, rational(short, *ARC_FAR), y - near * rational(near, *ARC_NEAR))

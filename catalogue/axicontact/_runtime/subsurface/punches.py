@@ -9,7 +9,9 @@ A field needs few sums of them, with r (D_0 + D_2) = 2 z S_1 and r (D_1 + D_3) =
 terms that cancel.  The integrand of a contact is
 analytic but for t = r + i z and its mirror images, which come as close as the point is to the surface.  So panels
 get longer with the distance from there, in v - alpha = beta sinh(u) with alpha + i beta the place of r + i z in
-a variable v(t) in which the slope itself has no singular point nearer than a right angle.
+a variable v(t) in which the slope itself has no singular point nearer than a right angle.  A slope that is a polynomial
+has closed forms (`moments`), which the integrals complete where those lose digits: far away, and beside the contact
+next to the surface.
 """
 
 from __future__ import annotations
@@ -21,6 +23,7 @@ import numpy as np
 
 from ..interface import Array
 from ..nodes import gauss_legendre
+from .moments import Sums, sums
 
 MANY, FEW = 16, 8
 """Nodes of a panel, and of one that is far away."""
@@ -39,6 +42,13 @@ TIP = -700.0
 """Place of the tip in log(t), below that of every radius that counts."""
 POINTS = 512
 """Panels that are summed together, so that what they need stays in the cache."""
+HIGHEST = 6
+"""Terms of a slope with closed forms: each loses digits with the distance."""
+POINTED, SHALLOW = 1e-12, 0.3
+"""Distances from the tip, in contact radii, and depths beside the contact, in those from the edge, of closed forms."""
+AROUND = ((1.2, 32), (2.2, 16))
+"""Half the sums of the distances from both ends of a diameter, in contact radii, from which a slope t**j needs no more
+than half so many nodes: the error of a rule is a power of the axes of this ellipse."""
 
 
 class Variable(NamedTuple):
@@ -240,17 +250,39 @@ class Numbers(NamedTuple):
 
     of: Callable[[Punch], tuple[Array, ...]]
     size: int
+    made: Callable[[Sums, Array], tuple[Array, ...]]
+    """Of the sums over a polynomial slope, and of the contact radius."""
+    orders: int
+    """How many of the sums S_m and D_m it takes."""
+    sunk: bool
+    """Whether it takes W."""
     infinite: tuple[int, ...]
     """Those that are infinite where the pressure is."""
     lost: tuple[int, ...]
     """Those that depend on the side from which the edge of a flat punch is reached."""
 
 
-STRESS = Numbers(_of_stress, 5, (0, 2, 3), (1, 4))
+def _stress_of(own: Sums, a: Array) -> tuple[Array, ...]:
+    r, z, s, d, _ = own
+    return s[0], 0.5 * (s[0] + r * r * s[2]), s[0] + z * d[0], s[0] - z * s[1], z * r * d[1]
+
+
+def _displacement_of(own: Sums, a: Array) -> tuple[Array, ...]:
+    r, _, s, _, w = own
+    return s[0], r * s[1], a * (0.5 * r * (s[0] + r * r * s[2])), a * w
+
+
+def _friction_of(own: Sums, a: Array) -> tuple[Array, ...]:
+    r, z, s, d, _ = own
+    deep = z * r
+    return r * s[1], 0.5 * r * (s[1] + r * r * s[3]), deep * s[2], deep * d[1], deep * r * d[2], s[0] - z * s[1]
+
+
+STRESS = Numbers(_of_stress, 5, _stress_of, 3, False, (0, 2, 3), (1, 4))
 """S_0, (S_0 + S_2)/2, S_0 + D_0, S_0 - z S_1/r and D_1."""
-DISPLACEMENT = Numbers(_of_displacement, 4, (0,), (1,))
+DISPLACEMENT = Numbers(_of_displacement, 4, _displacement_of, 3, True, (0,), (1,))
 """S_0, S_1, r (S_0 + S_2)/2 and W."""
-FRICTION = Numbers(_of_friction, 6, (5,), (0, 1, 2, 3, 4))
+FRICTION = Numbers(_of_friction, 6, _friction_of, 4, False, (5,), (0, 1, 2, 3, 4))
 """S_1, (S_1 + S_3)/2, z S_2/r, D_1, D_2 and S_0 - z S_1/r."""
 
 
@@ -259,12 +291,14 @@ def superposed(numbers: Numbers, r: Array, z: Array, pieces: Sequence[Piece]) ->
     total = np.zeros((numbers.size, r.size))
     for piece in pieces:
         shape = [np.broadcast_to(np.asarray(x, float), r.shape) for x in _arrays(piece)]
-        here = np.flatnonzero((shape[1] > shape[0]) & np.isfinite(r + z) & (r >= 0.0) & (z >= 0.0))
-        if here.size:
-            low, high, length, longest, power, sharp, *others = (x[here] for x in shape)
+        inside = (shape[1] > shape[0]) & np.isfinite(r + z) & (r >= 0.0) & (z >= 0.0)
+        if inside.any():
+            here = slice(None) if inside.all() else np.flatnonzero(inside)
+            low, high, length, longest, power, _, *others = (x[here] for x in shape)
             own = Piece(piece.variable, low, high, piece.slope, tuple(others), length, longest, power)
-            total[:, here] += _of_piece(numbers, r[here], z[here], own)
-            ends = here[(sharp != 0.0) & (r[here] == low) & (z[here] == 0.0)]
+            rule = _of_polynomial if piece.slope is polynomial and len(others) <= HIGHEST else _of_piece
+            total[:, here] += rule(numbers, r[here], z[here], own)
+            ends = inside & (shape[5] != 0.0) & (r == shape[0]) & (z == 0.0)
             for row in numbers.infinite:
                 total[row, ends] = np.inf
     return total
@@ -272,6 +306,63 @@ def superposed(numbers: Numbers, r: Array, z: Array, pieces: Sequence[Piece]) ->
 
 def _arrays(piece: Piece) -> tuple[Array, ...]:
     return (piece.low, piece.high, piece.length, piece.longest, piece.power, piece.sharp, *piece.parameters)
+
+
+def polynomial(t: Array, *coefficients: Array) -> Array:
+    """A slope from the axis on, with these coefficients from the constant on."""
+    value = 0.0 * t
+    for c in reversed(coefficients):
+        value = value * t + c
+    return value
+
+
+def _of_polynomial(numbers: Numbers, r: Array, z: Array, piece: Piece) -> Array:
+    """The numbers of a polynomial slope: closed next to the contact, from a rule around it, else from panels."""
+    a, total, slope, scale = piece.high, np.empty((numbers.size, r.size)), [], 1.0
+    for c in piece.parameters:
+        slope.append(c * scale)
+        scale = scale * a
+    x, y, gap = r / a, z / a, (a - r) / a
+    around = 0.5 * (np.sqrt(gap * gap + y * y) + np.sqrt((x + 1.0) ** 2 + y * y))
+    (near, many), (far, few) = AROUND
+    closed = (around < near) & (y >= -SHALLOW * gap) & (x + y > POINTED) & ((gap != 0.0) | (y > 0.0))
+    rest = np.flatnonzero(~closed & (around < near))
+    if rest.size:
+        shape = (piece.low, a, piece.length, piece.longest, piece.power)
+        low, high, length, longest, power, *others = (own[rest] for own in (*shape, *piece.parameters))
+        own = Piece(piece.variable, low, high, polynomial, tuple(others), length, longest, power)
+        total[:, rest] = _of_piece(numbers, r[rest], z[rest], own)
+
+    rings = (closed, 4 * POINTS, 0), ((around >= near) & (around < far), POINTS, many), (around >= far, 2 * POINTS, few)
+    for where, block, count in rings:
+        points = np.flatnonzero(where)
+        for begin in range(0, points.size, block):
+            o = points[begin : begin + block]
+            rates = [c[o] for c in slope]
+            if count:
+                total[:, o] = _around(numbers, count, r[o][:, None], z[o][:, None], a[o][:, None], rates)
+            else:
+                one = punch(x[o], y[o], np.ones(o.size), gap[o])
+                made = sums(numbers.orders, one.r, one.z, one.xi, one.flat, rates, sunk=numbers.sunk)
+                total[:, o] = numbers.made(made, a[o])
+    return total
+
+
+def _around(numbers: Numbers, count: int, r: Array, z: Array, a: Array, slope: list[Array]) -> Array:
+    """The numbers by half the nodes of a rule over a diameter, as they are odd in t.
+
+    Those of the even powers of the slope come from nodes in t**2, each weighed by 1/(2 t).
+    """
+    total = np.zeros((numbers.size, len(r)))
+    for odd in (0, 1):
+        rates = slope[odd::2]
+        if any(c.any() for c in rates):
+            nodes, weights = (x[-count // 2 :] for x in gauss_legendre(count if odd else count // 2))
+            t = 2.0 * nodes - 1.0 if odd else np.sqrt(nodes)
+            share = 2.0 * weights * t if odd else weights / (2.0 * t)
+            weight = polynomial(t * t, *(c[:, None] for c in rates)) * share * a
+            total += _sums(numbers, punch(r, z, a * t, a * t - r), weight)
+    return total
 
 
 class Panels(NamedTuple):

@@ -57,6 +57,8 @@ class Greatest(NamedTuple):
     z: Result
 
 
+BLOCK = 8192
+"""Points that are taken together, so that what they need stays in the cache."""
 Shape: TypeAlias = Callable[..., tuple[Array, Array, Sequence[Piece]]]
 """Of the given radius or depth and of the geometry: the contact radius, NaN where there is no contact; the depth by
 which the edge is pressed in beyond g; the pieces of g'."""
@@ -68,22 +70,30 @@ def summed(numbers: Numbers, shape: Shape, r: Array, z: Array, given: Array, geo
     They are infinite where the pressure is: at the edge of a flat face, a tip, a kink.
     """
     r, z, given, *own = np.broadcast_arrays(r, z, given, *geometry.values())
-    size = r.shape
-    r, z, given, *own = (np.ravel(x) for x in (r, z, given, *own))
+    size, known = r.shape, [np.ravel(x) for x in (r, z, given, *own)]
+    total = np.empty((numbers.size, r.size))
     with np.errstate(all="ignore"):
-        radius, edge, pieces = shape(given, **dict(zip(geometry, own, strict=True)))
-        radius, edge = np.broadcast_to(radius, r.shape), np.broadcast_to(edge, r.shape)
-        total = superposed(numbers, r, z, pieces)
-        pressed = np.flatnonzero((edge != 0.0) & (radius > 0.0))
-        x, y, t = r[pressed], z[pressed], radius[pressed]
-        field = np.array(numbers.of(punch(x, y, t, t - x)))
-        rim = np.flatnonzero((x == t) & (y == 0.0))
-        for rows, value in ((numbers.infinite, np.inf), (numbers.lost, np.nan)):
-            field[np.ix_(np.array(rows), rim)] = value
-        total[:, pressed] += edge[pressed] * field
-        total[:, ~((r >= 0.0) & (z >= 0.0) & (radius >= 0.0))] = np.nan
-        total[:, (np.isinf(r) | np.isinf(z)) & (radius >= 0.0)] = 0.0
+        for begin in range(0, r.size, BLOCK):
+            part = slice(begin, begin + BLOCK)
+            r, z, given, *own = (x[part] for x in known)
+            total[:, part] = _of_contacts(numbers, r, z, shape(given, **dict(zip(geometry, own, strict=True))))
     return total.reshape(-1, *size)
+
+
+def _of_contacts(numbers: Numbers, r: Array, z: Array, contacts: tuple[Array, Array, Sequence[Piece]]) -> Array:
+    radius, edge, pieces = contacts
+    radius, edge = np.broadcast_to(radius, r.shape), np.broadcast_to(edge, r.shape)
+    total = superposed(numbers, r, z, pieces)
+    pressed = np.flatnonzero((edge != 0.0) & (radius > 0.0))
+    x, y, t = r[pressed], z[pressed], radius[pressed]
+    field = np.array(numbers.of(punch(x, y, t, t - x)))
+    rim = np.flatnonzero((x == t) & (y == 0.0))
+    for rows, value in ((numbers.infinite, np.inf), (numbers.lost, np.nan)):
+        field[np.ix_(np.array(rows), rim)] = value
+    total[:, pressed] += edge[pressed] * field
+    total[:, ~((r >= 0.0) & (z >= 0.0) & (radius >= 0.0))] = np.nan
+    total[:, (np.isinf(r) | np.isinf(z)) & (radius >= 0.0)] = 0.0
+    return total
 
 
 def held(d: Result | None) -> dict[str, Result]:

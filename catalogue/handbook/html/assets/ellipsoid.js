@@ -715,6 +715,187 @@ const load_within = (r, a, h, b, E_star) => {
   return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _load_within(r, a, h, b, E_star) : 0.0) : NaN);
 };
 
+const _angle = (a, R) => {
+  let root;
+  root = difference_root(R, a);
+  return [math.minimum(Math.asinh((a / root)), 40.0), root];
+};
+
+const PEAK = 1.7179204967675554;
+
+const NEAR = 0.8;
+
+const LEVEL = 0.03812728612374059;
+
+const ARC_FAR = [[1.329889984051219, 85.36998480516608, 1923.074008763512, 17876.90896541072, 59207.63481260677, 18485.08434122529, (-53195.64116483364)], [1.0, 67.52528901476805, 1640.3784958292124, 17299.016817433552, 74691.14995817501, 93084.84736709161, (-9809.489595170257)]];
+
+const ARC_NEAR = [[2.0, 9.5189968828819, 16.571545092002584, 13.482272517053174, 6.125980425599675, 2.1371993915944367, 0.5444629040821292, 0.09990750072362801, 0.017942334397165086], [1.0, 5.3845732038762915, 10.870096444963094, 10.425327577706595, 5.320959603282673, 1.837793059410041, 0.505498100763311, 0.08953714875930008, 0.018009433732159942]];
+
+const _lower_angle = (y) => {
+  let beyond, near, short;
+  beyond = math.maximum((y - PEAK), 0.0);
+  near = math.minimum(beyond, NEAR);
+  short = math.maximum((LEVEL - (((y * Math.tanh(y)) - 1.0) / Math.pow(Math.cosh(y), 2))), 0.0);
+  return math.where((beyond > NEAR), rational(short, ...ARC_FAR), (y - (near * rational(near, ...ARC_NEAR))));
+};
+
+const arc_peak_radius = (a, R) => {
+  let root, share, y;
+  [y, root] = _angle(a, R);
+  share = ((Math.sinh(_lower_angle(y)) * root) / a);
+  return math.where((y > PEAK), (a * Math.sqrt(((1.0 - share) * (1.0 + share)))), 0.0);
+};
+
+const END_of_arcs = 0.7;
+
+const _arc_rate_of_arcs = (t, root) => {
+  return Math.asinh((t / root));
+};
+
+const arc_strips_of_arcs = (r, a, R) => {
+  let below, beyond, coefficient, high, low, lower, near, quotient, reach, upper, value;
+  [reach, below] = [difference_root(a, r), (R + difference_root(R, r))];
+  high = ((a + reach) / below);
+  low = ((r * (r / (a + reach))) / below);
+  [upper, lower] = [(high * high), (low * low)];
+  [value, quotient] = [LEGENDRE_CHI[0].at(-1), 0.0];
+  for (coefficient of math.reversed(LEGENDRE_CHI[0]).slice(2 - 1)) {
+    quotient = ((quotient * lower) + value);
+    value = ((value * upper) + coefficient);
+  }
+  near = (((2.0 * reach) / below) * (value + ((low * (low + high)) * quotient)));
+  beyond = (high > END_of_arcs);
+  if ((!Boolean(beyond))) {
+    return near;
+  }
+  return math.where(beyond, pressure_integral_tanh(_arc_rate_of_arcs, [], r, a, R), near);
+};
+
+const arc_peak_pressure = (a, R) => {
+  let root, strips, v, y;
+  [y, root] = _angle(a, R);
+  v = _lower_angle(y);
+  strips = arc_strips_of_arcs(arc_peak_radius(a, R), a, R);
+  return (((R * v) / (root * Math.cosh(v))) + math.where(((a > 0.0) & (a < R)), strips, 0.0));
+};
+
+const _peak_pressure_of_ellipsoid = (a, h, b, E_star) => {
+  return math.where((a <= b), (((E_star * h) / (Math.PI * b)) * arc_peak_pressure(a, b)), NaN);
+};
+
+const _peak_pressure = (a, h, b, E_star) => {
+  let v125, v128, v135, v136, v14, v140, v141, v146, v147, v148, v151, v152, v153, v159, v16, v164, v169, v174, v179, v18, v184, v189, v194, v199, v20, v204, v209, v21, v214, v215, v219, v224, v229, v23, v234, v239, v260, v28, v33, v34, v9;
+  if (((a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    v9 = (b - a);
+    v14 = Math.sqrt(((((v9 > 0.0) || (v9 !== v9)) ? v9 : 0.0) * (b + a)));
+    v16 = Math.asinh((a / v14));
+    v18 = (((v16 < 40.0) || (v16 !== v16)) ? v16 : 40.0);
+    v20 = (v18 - 1.7179204967675554);
+    v21 = (((v20 > 0.0) || (v20 !== v20)) ? v20 : 0.0);
+    if ((v21 > 0.8)) {
+      v28 = Math.cosh(v18);
+      v33 = (0.03812728612374059 - (((v18 * Math.tanh(v18)) - 1.0) / (v28 * v28)));
+      v34 = (((v33 > 0.0) || (v33 !== v33)) ? v33 : 0.0);
+      v125 = ((((((((((((((-53195.64116483364) * v34) + 18485.08434122529) * v34) + 59207.63481260677) * v34) + 17876.90896541072) * v34) + 1923.074008763512) * v34) + 85.36998480516608) * v34) + 1.329889984051219) / (((((((((((((-9809.489595170257) * v34) + 93084.84736709161) * v34) + 74691.14995817501) * v34) + 17299.016817433552) * v34) + 1640.3784958292124) * v34) + 67.52528901476805) * v34) + 1.0));
+    } else {
+      v23 = (((v21 < 0.8) || (v21 !== v21)) ? v21 : 0.8);
+      v125 = (v18 - (v23 * (((((((((((((((((0.017942334397165086 * v23) + 0.09990750072362801) * v23) + 0.5444629040821292) * v23) + 2.1371993915944367) * v23) + 6.125980425599675) * v23) + 13.482272517053174) * v23) + 16.571545092002584) * v23) + 9.5189968828819) * v23) + 2.0) / ((((((((((((((((0.018009433732159942 * v23) + 0.08953714875930008) * v23) + 0.505498100763311) * v23) + 1.837793059410041) * v23) + 5.320959603282673) * v23) + 10.425327577706595) * v23) + 10.870096444963094) * v23) + 5.3845732038762915) * v23) + 1.0))));
+    }
+    if ((v18 > 1.7179204967675554)) {
+      v128 = ((Math.sinh(v125) * v14) / a);
+      v135 = (a * Math.sqrt(((1.0 - v128) * (1.0 + v128))));
+    } else {
+      v135 = 0.0;
+    }
+    v136 = (a - v135);
+    v140 = Math.sqrt(((((v136 > 0.0) || (v136 !== v136)) ? v136 : 0.0) * (a + v135)));
+    v141 = (b - v135);
+    v146 = (b + Math.sqrt(((((v141 > 0.0) || (v141 !== v141)) ? v141 : 0.0) * (b + v135))));
+    v147 = (a + v140);
+    v148 = (v147 / v146);
+    if ((v148 > 0.7)) {
+      return _peak_pressure_of_ellipsoid(a, h, b, E_star);
+    }
+    if ((a <= b)) {
+      if (((a > 0.0) && (a < b))) {
+        v151 = ((v135 * (v135 / v147)) / v146);
+        v152 = (v148 * v148);
+        v153 = (v151 * v151);
+        v159 = ((0.13579013365982337 * v152) + (-0.4846453962188766));
+        v164 = ((v159 * v152) + 0.8293825948837366);
+        v169 = ((v164 * v152) + (-0.8745573865774817));
+        v174 = ((v169 * v152) + 0.6371928816963097);
+        v179 = ((v174 * v152) + (-0.3332798652335896));
+        v184 = ((v179 * v152) + 0.13289328569967984);
+        v189 = ((v184 * v152) + (-0.03710676078458442));
+        v194 = ((v189 * v152) + 0.011089560042611895);
+        v199 = ((v194 * v152) + 0.0012521687336059639);
+        v204 = ((v199 * v152) + 0.0036572276005780893);
+        v209 = ((v204 * v152) + 0.004425450516633092);
+        v214 = ((v209 * v152) + 0.005918487051520244);
+        v215 = (((((((((((((((((((((((((0.0 * v153) + 0.13579013365982337) * v153) + v159) * v153) + v164) * v153) + v169) * v153) + v174) * v153) + v179) * v153) + v184) * v153) + v189) * v153) + v194) * v153) + v199) * v153) + v204) * v153) + v209) * v153);
+        v219 = ((v214 * v152) + 0.008264397984935742);
+        v224 = ((v219 * v152) + 0.012345681107818056);
+        v229 = ((v224 * v152) + 0.020408163224119494);
+        v234 = ((v229 * v152) + 0.04000000000042643);
+        v239 = ((v234 * v152) + 0.11111111111110937);
+        v260 = (((2.0 * v140) / v146) * (((v239 * v152) + 1.0) + ((v151 * (v151 + v148)) * (((((((((((v215 + v214) * v153) + v219) * v153) + v224) * v153) + v229) * v153) + v234) * v153) + v239))));
+      } else {
+        v260 = 0.0;
+      }
+      return (((E_star * h) / (3.141592653589793 * b)) * (((b * v125) / (v14 * Math.cosh(v125))) + v260));
+    }
+    return NaN;
+  }
+  return _peak_pressure_of_ellipsoid(a, h, b, E_star);
+};
+
+const _peak_radius_of_ellipsoid = (a, b) => {
+  return math.where((a <= b), arc_peak_radius(a, b), NaN);
+};
+
+const _peak_radius = (a, b, h = 1.0, E_star = 1.0) => {
+  let v10, v119, v12, v122, v14, v15, v17, v22, v27, v28, v3, v8;
+  if (((a > 1e-30) && (a < 1e+30) && (b > 1e-30) && (b < 1e+30) && (h > 1e-30) && (h < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    if ((a <= b)) {
+      v3 = (b - a);
+      v8 = Math.sqrt(((((v3 > 0.0) || (v3 !== v3)) ? v3 : 0.0) * (b + a)));
+      v10 = Math.asinh((a / v8));
+      v12 = (((v10 < 40.0) || (v10 !== v10)) ? v10 : 40.0);
+      if ((v12 > 1.7179204967675554)) {
+        v14 = (v12 - 1.7179204967675554);
+        v15 = (((v14 > 0.0) || (v14 !== v14)) ? v14 : 0.0);
+        if ((v15 > 0.8)) {
+          v22 = Math.cosh(v12);
+          v27 = (0.03812728612374059 - (((v12 * Math.tanh(v12)) - 1.0) / (v22 * v22)));
+          v28 = (((v27 > 0.0) || (v27 !== v27)) ? v27 : 0.0);
+          v119 = ((((((((((((((-53195.64116483364) * v28) + 18485.08434122529) * v28) + 59207.63481260677) * v28) + 17876.90896541072) * v28) + 1923.074008763512) * v28) + 85.36998480516608) * v28) + 1.329889984051219) / (((((((((((((-9809.489595170257) * v28) + 93084.84736709161) * v28) + 74691.14995817501) * v28) + 17299.016817433552) * v28) + 1640.3784958292124) * v28) + 67.52528901476805) * v28) + 1.0));
+        } else {
+          v17 = (((v15 < 0.8) || (v15 !== v15)) ? v15 : 0.8);
+          v119 = (v12 - (v17 * (((((((((((((((((0.017942334397165086 * v17) + 0.09990750072362801) * v17) + 0.5444629040821292) * v17) + 2.1371993915944367) * v17) + 6.125980425599675) * v17) + 13.482272517053174) * v17) + 16.571545092002584) * v17) + 9.5189968828819) * v17) + 2.0) / ((((((((((((((((0.018009433732159942 * v17) + 0.08953714875930008) * v17) + 0.505498100763311) * v17) + 1.837793059410041) * v17) + 5.320959603282673) * v17) + 10.425327577706595) * v17) + 10.870096444963094) * v17) + 5.3845732038762915) * v17) + 1.0))));
+        }
+        v122 = ((Math.sinh(v119) * v8) / a);
+        return (a * Math.sqrt(((1.0 - v122) * (1.0 + v122))));
+      }
+      return 0.0;
+    }
+    return NaN;
+  }
+  return _peak_radius_of_ellipsoid(a, b);
+};
+
+const PeakPressure = (pressure, radius) => math.record({ pressure, radius });
+
+const peak_pressure = (a, h, b, E_star) => {
+  let pressure, radius;
+  if ((!((0.0 < h && h < Infinity) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  pressure = ((a >= 0.0) ? _peak_pressure(a, h, b, E_star) : NaN);
+  radius = ((a >= 0.0) ? _peak_radius(a, b) : NaN);
+  return PeakPressure(pressure, radius);
+};
+
 const _depth_at_of_ellipsoid = (a, root, h, b) => {
   return (((h / b) * a) * Math.asinh((a / root)));
 };
@@ -2617,7 +2798,7 @@ const step_load_radius_power_creep = (t, F, h, b, E, alpha, t_0) => {
   return ((t >= 0.0) ? _step_load_radius_power_creep(t, F, h, b, E, alpha, t_0) : NaN);
 };
 
-const once = { pull_off: math.kept(pull_off), pull_off_of_ellipsoid: math.kept(pull_off_of_ellipsoid) };
+const once = { peak_pressure: math.kept(peak_pressure), pull_off: math.kept(pull_off), pull_off_of_ellipsoid: math.kept(pull_off_of_ellipsoid) };
 const formulas = {
   "d": (v) => depth(v.a, v.h, v.b),
   "F": (v) => force(v.a, v.h, v.b, v.E_star),
@@ -2627,6 +2808,8 @@ const formulas = {
   "pm": (v) => mean_pressure(v.a, v.h, v.b, v.E_star),
   "U": (v) => energy(v.a, v.h, v.b, v.E_star),
   "Fr": (v) => load_within(v.r, v.a, v.h, v.b, v.E_star),
+  "rp": (v) => (once.peak_pressure(v.a, v.h, v.b, v.E_star).radius ?? NaN),
+  "pp": (v) => (once.peak_pressure(v.a, v.h, v.b, v.E_star).pressure ?? NaN),
   "ad": (v) => radius_from_depth(v.d, v.h, v.b),
   "aF": (v) => radius_from_force(v.F, v.h, v.b, v.E_star),
   "Fd": (v) => force_from_depth(v.d, v.h, v.b, v.E_star),
@@ -3070,6 +3253,32 @@ window.calculator = { ...{
    "unit": "N",
    "place": "inside",
    "suffix": "Fr",
+   "medium": 0
+  },
+  "rp": {
+   "gives": "r_peak",
+   "needs": [
+    "a",
+    "h",
+    "b",
+    "E_star"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "pp": {
+   "gives": "p_peak",
+   "needs": [
+    "a",
+    "h",
+    "b",
+    "E_star"
+   ],
+   "unit": "Pa",
+   "place": "",
+   "suffix": "",
    "medium": 0
   },
   "ad": {

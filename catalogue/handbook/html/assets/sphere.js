@@ -712,6 +712,187 @@ const load_within = (r, a, R, E_star) => {
   return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _load_within(r, a, R, E_star) : 0.0) : NaN);
 };
 
+const _angle = (a, R) => {
+  let root;
+  root = difference_root(R, a);
+  return [math.minimum(Math.asinh((a / root)), 40.0), root];
+};
+
+const PEAK = 1.7179204967675554;
+
+const NEAR = 0.8;
+
+const LEVEL = 0.03812728612374059;
+
+const ARC_FAR = [[1.329889984051219, 85.36998480516608, 1923.074008763512, 17876.90896541072, 59207.63481260677, 18485.08434122529, (-53195.64116483364)], [1.0, 67.52528901476805, 1640.3784958292124, 17299.016817433552, 74691.14995817501, 93084.84736709161, (-9809.489595170257)]];
+
+const ARC_NEAR = [[2.0, 9.5189968828819, 16.571545092002584, 13.482272517053174, 6.125980425599675, 2.1371993915944367, 0.5444629040821292, 0.09990750072362801, 0.017942334397165086], [1.0, 5.3845732038762915, 10.870096444963094, 10.425327577706595, 5.320959603282673, 1.837793059410041, 0.505498100763311, 0.08953714875930008, 0.018009433732159942]];
+
+const _lower_angle = (y) => {
+  let beyond, near, short;
+  beyond = math.maximum((y - PEAK), 0.0);
+  near = math.minimum(beyond, NEAR);
+  short = math.maximum((LEVEL - (((y * Math.tanh(y)) - 1.0) / Math.pow(Math.cosh(y), 2))), 0.0);
+  return math.where((beyond > NEAR), rational(short, ...ARC_FAR), (y - (near * rational(near, ...ARC_NEAR))));
+};
+
+const arc_peak_radius = (a, R) => {
+  let root, share, y;
+  [y, root] = _angle(a, R);
+  share = ((Math.sinh(_lower_angle(y)) * root) / a);
+  return math.where((y > PEAK), (a * Math.sqrt(((1.0 - share) * (1.0 + share)))), 0.0);
+};
+
+const END_of_arcs = 0.7;
+
+const _arc_rate_of_arcs = (t, root) => {
+  return Math.asinh((t / root));
+};
+
+const arc_strips_of_arcs = (r, a, R) => {
+  let below, beyond, coefficient, high, low, lower, near, quotient, reach, upper, value;
+  [reach, below] = [difference_root(a, r), (R + difference_root(R, r))];
+  high = ((a + reach) / below);
+  low = ((r * (r / (a + reach))) / below);
+  [upper, lower] = [(high * high), (low * low)];
+  [value, quotient] = [LEGENDRE_CHI[0].at(-1), 0.0];
+  for (coefficient of math.reversed(LEGENDRE_CHI[0]).slice(2 - 1)) {
+    quotient = ((quotient * lower) + value);
+    value = ((value * upper) + coefficient);
+  }
+  near = (((2.0 * reach) / below) * (value + ((low * (low + high)) * quotient)));
+  beyond = (high > END_of_arcs);
+  if ((!Boolean(beyond))) {
+    return near;
+  }
+  return math.where(beyond, pressure_integral_tanh(_arc_rate_of_arcs, [], r, a, R), near);
+};
+
+const arc_peak_pressure = (a, R) => {
+  let root, strips, v, y;
+  [y, root] = _angle(a, R);
+  v = _lower_angle(y);
+  strips = arc_strips_of_arcs(arc_peak_radius(a, R), a, R);
+  return (((R * v) / (root * Math.cosh(v))) + math.where(((a > 0.0) & (a < R)), strips, 0.0));
+};
+
+const _peak_pressure_of_sphere = (a, R, E_star) => {
+  return math.where((a <= R), ((E_star / Math.PI) * arc_peak_pressure(a, R)), NaN);
+};
+
+const _peak_pressure = (a, R, E_star) => {
+  let v11, v122, v125, v13, v132, v133, v137, v138, v143, v144, v145, v148, v149, v15, v150, v156, v161, v166, v17, v171, v176, v18, v181, v186, v191, v196, v20, v201, v206, v211, v212, v216, v221, v226, v231, v236, v25, v257, v30, v31, v6;
+  if (((a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    v6 = (R - a);
+    v11 = Math.sqrt(((((v6 > 0.0) || (v6 !== v6)) ? v6 : 0.0) * (R + a)));
+    v13 = Math.asinh((a / v11));
+    v15 = (((v13 < 40.0) || (v13 !== v13)) ? v13 : 40.0);
+    v17 = (v15 - 1.7179204967675554);
+    v18 = (((v17 > 0.0) || (v17 !== v17)) ? v17 : 0.0);
+    if ((v18 > 0.8)) {
+      v25 = Math.cosh(v15);
+      v30 = (0.03812728612374059 - (((v15 * Math.tanh(v15)) - 1.0) / (v25 * v25)));
+      v31 = (((v30 > 0.0) || (v30 !== v30)) ? v30 : 0.0);
+      v122 = ((((((((((((((-53195.64116483364) * v31) + 18485.08434122529) * v31) + 59207.63481260677) * v31) + 17876.90896541072) * v31) + 1923.074008763512) * v31) + 85.36998480516608) * v31) + 1.329889984051219) / (((((((((((((-9809.489595170257) * v31) + 93084.84736709161) * v31) + 74691.14995817501) * v31) + 17299.016817433552) * v31) + 1640.3784958292124) * v31) + 67.52528901476805) * v31) + 1.0));
+    } else {
+      v20 = (((v18 < 0.8) || (v18 !== v18)) ? v18 : 0.8);
+      v122 = (v15 - (v20 * (((((((((((((((((0.017942334397165086 * v20) + 0.09990750072362801) * v20) + 0.5444629040821292) * v20) + 2.1371993915944367) * v20) + 6.125980425599675) * v20) + 13.482272517053174) * v20) + 16.571545092002584) * v20) + 9.5189968828819) * v20) + 2.0) / ((((((((((((((((0.018009433732159942 * v20) + 0.08953714875930008) * v20) + 0.505498100763311) * v20) + 1.837793059410041) * v20) + 5.320959603282673) * v20) + 10.425327577706595) * v20) + 10.870096444963094) * v20) + 5.3845732038762915) * v20) + 1.0))));
+    }
+    if ((v15 > 1.7179204967675554)) {
+      v125 = ((Math.sinh(v122) * v11) / a);
+      v132 = (a * Math.sqrt(((1.0 - v125) * (1.0 + v125))));
+    } else {
+      v132 = 0.0;
+    }
+    v133 = (a - v132);
+    v137 = Math.sqrt(((((v133 > 0.0) || (v133 !== v133)) ? v133 : 0.0) * (a + v132)));
+    v138 = (R - v132);
+    v143 = (R + Math.sqrt(((((v138 > 0.0) || (v138 !== v138)) ? v138 : 0.0) * (R + v132))));
+    v144 = (a + v137);
+    v145 = (v144 / v143);
+    if ((v145 > 0.7)) {
+      return _peak_pressure_of_sphere(a, R, E_star);
+    }
+    if ((a <= R)) {
+      if (((a > 0.0) && (a < R))) {
+        v148 = ((v132 * (v132 / v144)) / v143);
+        v149 = (v145 * v145);
+        v150 = (v148 * v148);
+        v156 = ((0.13579013365982337 * v149) + (-0.4846453962188766));
+        v161 = ((v156 * v149) + 0.8293825948837366);
+        v166 = ((v161 * v149) + (-0.8745573865774817));
+        v171 = ((v166 * v149) + 0.6371928816963097);
+        v176 = ((v171 * v149) + (-0.3332798652335896));
+        v181 = ((v176 * v149) + 0.13289328569967984);
+        v186 = ((v181 * v149) + (-0.03710676078458442));
+        v191 = ((v186 * v149) + 0.011089560042611895);
+        v196 = ((v191 * v149) + 0.0012521687336059639);
+        v201 = ((v196 * v149) + 0.0036572276005780893);
+        v206 = ((v201 * v149) + 0.004425450516633092);
+        v211 = ((v206 * v149) + 0.005918487051520244);
+        v212 = (((((((((((((((((((((((((0.0 * v150) + 0.13579013365982337) * v150) + v156) * v150) + v161) * v150) + v166) * v150) + v171) * v150) + v176) * v150) + v181) * v150) + v186) * v150) + v191) * v150) + v196) * v150) + v201) * v150) + v206) * v150);
+        v216 = ((v211 * v149) + 0.008264397984935742);
+        v221 = ((v216 * v149) + 0.012345681107818056);
+        v226 = ((v221 * v149) + 0.020408163224119494);
+        v231 = ((v226 * v149) + 0.04000000000042643);
+        v236 = ((v231 * v149) + 0.11111111111110937);
+        v257 = (((2.0 * v137) / v143) * (((v236 * v149) + 1.0) + ((v148 * (v148 + v145)) * (((((((((((v212 + v211) * v150) + v216) * v150) + v221) * v150) + v226) * v150) + v231) * v150) + v236))));
+      } else {
+        v257 = 0.0;
+      }
+      return ((E_star / 3.141592653589793) * (((R * v122) / (v11 * Math.cosh(v122))) + v257));
+    }
+    return NaN;
+  }
+  return _peak_pressure_of_sphere(a, R, E_star);
+};
+
+const _peak_radius_of_sphere = (a, R) => {
+  return math.where((a <= R), arc_peak_radius(a, R), NaN);
+};
+
+const _peak_radius = (a, R, E_star = 1.0) => {
+  let v10, v119, v12, v122, v14, v15, v17, v22, v27, v28, v3, v8;
+  if (((a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    if ((a <= R)) {
+      v3 = (R - a);
+      v8 = Math.sqrt(((((v3 > 0.0) || (v3 !== v3)) ? v3 : 0.0) * (R + a)));
+      v10 = Math.asinh((a / v8));
+      v12 = (((v10 < 40.0) || (v10 !== v10)) ? v10 : 40.0);
+      if ((v12 > 1.7179204967675554)) {
+        v14 = (v12 - 1.7179204967675554);
+        v15 = (((v14 > 0.0) || (v14 !== v14)) ? v14 : 0.0);
+        if ((v15 > 0.8)) {
+          v22 = Math.cosh(v12);
+          v27 = (0.03812728612374059 - (((v12 * Math.tanh(v12)) - 1.0) / (v22 * v22)));
+          v28 = (((v27 > 0.0) || (v27 !== v27)) ? v27 : 0.0);
+          v119 = ((((((((((((((-53195.64116483364) * v28) + 18485.08434122529) * v28) + 59207.63481260677) * v28) + 17876.90896541072) * v28) + 1923.074008763512) * v28) + 85.36998480516608) * v28) + 1.329889984051219) / (((((((((((((-9809.489595170257) * v28) + 93084.84736709161) * v28) + 74691.14995817501) * v28) + 17299.016817433552) * v28) + 1640.3784958292124) * v28) + 67.52528901476805) * v28) + 1.0));
+        } else {
+          v17 = (((v15 < 0.8) || (v15 !== v15)) ? v15 : 0.8);
+          v119 = (v12 - (v17 * (((((((((((((((((0.017942334397165086 * v17) + 0.09990750072362801) * v17) + 0.5444629040821292) * v17) + 2.1371993915944367) * v17) + 6.125980425599675) * v17) + 13.482272517053174) * v17) + 16.571545092002584) * v17) + 9.5189968828819) * v17) + 2.0) / ((((((((((((((((0.018009433732159942 * v17) + 0.08953714875930008) * v17) + 0.505498100763311) * v17) + 1.837793059410041) * v17) + 5.320959603282673) * v17) + 10.425327577706595) * v17) + 10.870096444963094) * v17) + 5.3845732038762915) * v17) + 1.0))));
+        }
+        v122 = ((Math.sinh(v119) * v8) / a);
+        return (a * Math.sqrt(((1.0 - v122) * (1.0 + v122))));
+      }
+      return 0.0;
+    }
+    return NaN;
+  }
+  return _peak_radius_of_sphere(a, R);
+};
+
+const PeakPressure = (pressure, radius) => math.record({ pressure, radius });
+
+const peak_pressure = (a, R, E_star) => {
+  let pressure, radius;
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  pressure = ((a >= 0.0) ? _peak_pressure(a, R, E_star) : NaN);
+  radius = ((a >= 0.0) ? _peak_radius(a, R) : NaN);
+  return PeakPressure(pressure, radius);
+};
+
 const _depth_at_of_sphere = (a, root) => {
   return (a * Math.asinh((a / root)));
 };
@@ -2605,7 +2786,7 @@ const step_load_radius_power_creep = (t, F, R, E, alpha, t_0) => {
   return ((t >= 0.0) ? _step_load_radius_power_creep(t, F, R, E, alpha, t_0) : NaN);
 };
 
-const once = { pull_off: math.kept(pull_off), pull_off_of_sphere: math.kept(pull_off_of_sphere) };
+const once = { peak_pressure: math.kept(peak_pressure), pull_off: math.kept(pull_off), pull_off_of_sphere: math.kept(pull_off_of_sphere) };
 const formulas = {
   "d": (v) => depth(v.a, v.R),
   "F": (v) => force(v.a, v.R, v.E_star),
@@ -2615,6 +2796,8 @@ const formulas = {
   "pm": (v) => mean_pressure(v.a, v.R, v.E_star),
   "U": (v) => energy(v.a, v.R, v.E_star),
   "Fr": (v) => load_within(v.r, v.a, v.R, v.E_star),
+  "rp": (v) => (once.peak_pressure(v.a, v.R, v.E_star).radius ?? NaN),
+  "pp": (v) => (once.peak_pressure(v.a, v.R, v.E_star).pressure ?? NaN),
   "ad": (v) => radius_from_depth(v.d, v.R),
   "aF": (v) => radius_from_force(v.F, v.R, v.E_star),
   "Fd": (v) => force_from_depth(v.d, v.R, v.E_star),
@@ -3039,6 +3222,30 @@ window.calculator = { ...{
    "unit": "N",
    "place": "inside",
    "suffix": "Fr",
+   "medium": 0
+  },
+  "rp": {
+   "gives": "r_peak",
+   "needs": [
+    "a",
+    "R",
+    "E_star"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "pp": {
+   "gives": "p_peak",
+   "needs": [
+    "a",
+    "R",
+    "E_star"
+   ],
+   "unit": "Pa",
+   "place": "",
+   "suffix": "",
    "medium": 0
   },
   "ad": {

@@ -6,9 +6,8 @@ from math import asinh, atan2, cos, cosh, exp, expm1, fsum, hypot, inf, nextafte
 
 from ...._programs.bodies.normal import capped_paraboloid as normal
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_near, root_of_zone, still
-from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii_by, radius_of_pull_off, radius_under
-from ...._runtime.physics.cohesive_states import State
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_of_zone
+from ...._programs.bodies._runtime.physics.cohesive_states import parted_by, radii_by, radius_of_pull_off, radius_under, state_near
 from ....cohesive.capped_paraboloid import partial
 from ...._runtime.plain import sqrt, rule, MATH as np
 
@@ -175,15 +174,27 @@ def _displacement(r, a, R1, R2, b, E_star, dgamma, sigma_0):
     return _displacement_of(r, a, _zone(a, R1, R2, b, E_star, dgamma, sigma_0), R1, R2, b, E_star, dgamma, sigma_0)
 
 
+def _growth(a, R1, R2, b):
+    if a < b:
+        return 2.0 * a / R1
+    v4 = a - b
+    v9 = sqrt((v4 if v4 > 0.0 or v4 != v4 else 0.0) * (a + b))
+    v11 = 1e-09 * b
+    v12 = v9 if v9 > v11 or v9 != v9 else v11
+    v20 = R1 - R2
+    v22 = R1 * R2
+    return 2.0 * a / R1 + 2.0 * v20 / v22 * v12 + b * b * v20 / (v22 * v12)
+
+
 def _radii(R1, R2, b, E_star, dgamma, sigma_0):
     first = _zone(np.zeros_like(sigma_0), R1, R2, b, E_star, dgamma, sigma_0)
     return radii_by(first, b)
 
 
 def _state(a, start, R1, R2, b, E_star, dgamma, sigma_0, control):
-    q, rate = root_near(partial(_opened, R1=R1, R2=R2, b=b), start, a, E_star, dgamma, sigma_0)
     load = _force_of if control == 'force' else _depth_of
-    return State(a, q, still(rate, a, q, control, E_star, sigma_0), load(a, q, R1, R2, b, E_star, dgamma, sigma_0))
+    growth = _growth(a, R1, R2, b)
+    return state_near(partial(_opened, R1=R1, R2=R2, b=b), growth, lambda q: load(a, q, R1, R2, b, E_star, dgamma, sigma_0), start, a, control, E_star, dgamma, sigma_0)
 
 
 def _pull_off_radius(R1, R2, b, E_star, dgamma, sigma_0, control):
@@ -192,7 +203,7 @@ def _pull_off_radius(R1, R2, b, E_star, dgamma, sigma_0, control):
 
 def _parted(R1, R2, b, E_star, dgamma, sigma_0):
     first = _zone(np.zeros_like(sigma_0), R1, R2, b, E_star, dgamma, sigma_0)
-    return parted(partial(_opened, R1=R1, R2=R2, b=b), first, E_star, sigma_0)
+    return parted_by(partial(_opened, R1=R1, R2=R2, b=b), first, b, E_star, sigma_0)
 
 
 def _pull_off_zone(a, R1, R2, b, E_star, dgamma, sigma_0):

@@ -6,9 +6,8 @@ from math import atan2, cos, fsum, hypot, inf, sin, tan
 
 from ...._programs.bodies.normal import cone as normal
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_near, root_of_zone, still
-from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii, radius_of_pull_off, radius_under
-from ...._runtime.physics.cohesive_states import State
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_of_zone
+from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii, radius_of_pull_off, radius_under, state_near
 from ....cohesive.cone import partial
 from ...._runtime.plain import log1p, sqrt, rule, MATH as np
 
@@ -78,15 +77,21 @@ def _displacement(r, a, theta, E_star, dgamma, sigma_0):
     return _displacement_of(r, a, _zone(a, theta, E_star, dgamma, sigma_0), theta, E_star, dgamma, sigma_0)
 
 
+def _growth(a, theta):
+    if a > 0.0:
+        return 3.141592653589793 * tan(theta) / 2.0
+    return 0.0
+
+
 def _radii(theta, E_star, dgamma, sigma_0):
     first = _zone(np.zeros_like(sigma_0), theta, E_star, dgamma, sigma_0)
     return radii(first)
 
 
 def _state(a, start, theta, E_star, dgamma, sigma_0, control):
-    q, rate = root_near(partial(_opened, theta=theta), start, a, E_star, dgamma, sigma_0)
     load = _force_of if control == 'force' else _depth_of
-    return State(a, q, still(rate, a, q, control, E_star, sigma_0), load(a, q, theta, E_star, dgamma, sigma_0))
+    growth = _growth(a, theta)
+    return state_near(partial(_opened, theta=theta), growth, lambda q: load(a, q, theta, E_star, dgamma, sigma_0), start, a, control, E_star, dgamma, sigma_0)
 
 
 def _pull_off_radius(theta, E_star, dgamma, sigma_0, control):

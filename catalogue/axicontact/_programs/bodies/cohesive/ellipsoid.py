@@ -7,9 +7,8 @@ from math import asinh, atan2, cos, cosh, fsum, hypot, inf, sin, sinh
 from ...._programs.bodies.normal import ellipsoid as normal
 from ...._programs.bodies._runtime.integrals import difference_root
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_near, root_of_zone, still, tension_of_zone, zone_within
-from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii_up_to, radius_of_pull_off, radius_under
-from ...._runtime.physics.cohesive_states import State
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_of_zone, tension_of_zone, zone_within
+from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii_up_to, radius_of_pull_off, radius_under, state_near
 from ....cohesive.ellipsoid import partial
 from ...._runtime.plain import log1p, sqrt, rule, MATH as np
 
@@ -99,15 +98,23 @@ def _displacement(r, a, h, b, E_star, dgamma, sigma_0):
     return _displacement_of(r, a, _zone(a, h, b, E_star, dgamma, sigma_0), h, b, E_star, dgamma, sigma_0)
 
 
+def _growth(a, h, b):
+    if a > 0.0:
+        v5 = b - a
+        v9 = sqrt((v5 if v5 > 0.0 or v5 != v5 else 0.0) * (b + a))
+        return h / b * asinh(a / v9) + h * a / (v9 * v9)
+    return 0.0
+
+
 def _radii(h, b, E_star, dgamma, sigma_0):
     first = _zone(np.zeros_like(sigma_0), h, b, E_star, dgamma, sigma_0)
-    return radii_up_to(first, b, lambda a: zone_within(partial(_opened, h=h, b=b), a, E_star, dgamma, sigma_0, difference_root(b, a)))
+    return radii_up_to(first, b)
 
 
 def _state(a, start, h, b, E_star, dgamma, sigma_0, control):
-    q, rate = root_near(partial(_opened, h=h, b=b), start, a, E_star, dgamma, sigma_0, difference_root(b, a))
     load = _force_of if control == 'force' else _depth_of
-    return State(a, q, still(rate, a, q, control, E_star, sigma_0), load(a, q, h, b, E_star, dgamma, sigma_0))
+    growth = _growth(a, h, b)
+    return state_near(partial(_opened, h=h, b=b), growth, lambda q: load(a, q, h, b, E_star, dgamma, sigma_0), start, a, control, E_star, dgamma, sigma_0, difference_root(b, a))
 
 
 def _pull_off_radius(h, b, E_star, dgamma, sigma_0, control):

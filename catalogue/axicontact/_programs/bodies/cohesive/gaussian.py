@@ -7,9 +7,8 @@ from math import atan2, cos, fsum, hypot, inf, nan, sin
 from ...._programs.bodies.normal import gaussian as normal
 from ...._programs.bodies._runtime.integrals import difference_root
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_near, root_of_zone, still, zone_within
-from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii_on_bump, radius_of_pull_off, radius_under
-from ...._runtime.physics.cohesive_states import State
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_of_zone, zone_within
+from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii_on_bump, radius_of_pull_off, radius_under, state_near
 from ....cohesive.gaussian import partial
 from ...._runtime.plain import sqrt, rule, MATH as np
 
@@ -132,16 +131,25 @@ def _displacement(r, a, h, s, E_star, dgamma, sigma_0):
     return _displacement_of(r, a, _zone(a, h, s, E_star, dgamma, sigma_0), h, s, E_star, dgamma, sigma_0)
 
 
+def _growth(a, h, s):
+    if a > 0.0:
+        v5 = a / s
+        v9 = v5 * v5
+        v47 = ((((((((((((1.567077144036674e-13 * v9 + -3.840375691006307e-12) * v9 + 3.8015754128174666e-11) * v9 + -1.8423006918213799e-10) * v9 + 4.472469827763728e-10) * v9 + -1.1927516362741588e-09) * v9 + 6.225892246861416e-09) * v9 + 3.4413148480148793e-09) * v9 + -9.933344851449817e-08) * v9 + -5.127541706569233e-07) * v9 + 1.8119768160503268e-06) * v9 + 2.151585040783394e-05) * v9 + 4.61098799999374e-06) * v9
+        v65 = v5 / ((((((v47 + -0.000684089638073553) * v9 + -0.002257495580553435) * v9 + 0.016931216930225715) * v9 + 0.17777777777782838) * v9 + 0.6666666666666656) * v9 + 1.0)
+        return 2.0 * h / s * (v65 + (1.0 - 2.0 * v65 * v5) * v5)
+    return 0.0
+
+
 def _radii(h, s, E_star, dgamma, sigma_0):
     first = _zone(np.zeros_like(sigma_0), h, s, E_star, dgamma, sigma_0)
-    end = 1.5019752682686114 * s
-    return radii_on_bump(first, end, lambda a: zone_within(partial(_opened, h=h, s=s), a, E_star, dgamma, sigma_0, difference_root(end, a)))
+    return radii_on_bump(first, 1.5019752682686114 * s)
 
 
 def _state(a, start, h, s, E_star, dgamma, sigma_0, control):
-    q, rate = root_near(partial(_opened, h=h, s=s), start, a, E_star, dgamma, sigma_0, difference_root(1.5019752682686114 * s, a))
     load = _force_of if control == 'force' else _depth_of
-    return State(a, q, still(rate, a, q, control, E_star, sigma_0), load(a, q, h, s, E_star, dgamma, sigma_0))
+    growth = _growth(a, h, s)
+    return state_near(partial(_opened, h=h, s=s), growth, lambda q: load(a, q, h, s, E_star, dgamma, sigma_0), start, a, control, E_star, dgamma, sigma_0, difference_root(1.5019752682686114 * s, a))
 
 
 def _pull_off_radius(h, s, E_star, dgamma, sigma_0, control):

@@ -8,9 +8,8 @@ from ...._programs.bodies.normal import polynomial as normal
 from ...._programs.bodies._runtime.functions import depth_over_height
 from ...._programs.bodies._runtime.integrals import difference_root
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening, outer_radius, pull_of_zone, root_near, root_of_zone, still, sunk, tension_of_zone, work_of_zone
-from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii, radius_of_pull_off, radius_under
-from ...._runtime.physics.cohesive_states import State
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening, outer_radius, pull_of_zone, root_of_zone, sunk, tension_of_zone, work_of_zone
+from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii, radius_of_pull_off, radius_under, state_near
 from ....cohesive.polynomial import partial
 from ...._runtime.plain import MATH as np
 
@@ -68,15 +67,20 @@ def _displacement(r, a, A, E_star, dgamma, sigma_0):
     return _displacement_of(r, a, _zone(a, A, E_star, dgamma, sigma_0), A, E_star, dgamma, sigma_0)
 
 
+def _growth(a, A):
+    """Rate g'(a) of the depth of the normal contact."""
+    return normal._slope(a, A) if a > 0.0 else 0.0
+
+
 def _radii(A, E_star, dgamma, sigma_0):
     first = _zone(np.zeros_like(sigma_0), A, E_star, dgamma, sigma_0)
     return radii(first)
 
 
 def _state(a, start, A, E_star, dgamma, sigma_0, control):
-    q, rate = root_near(partial(_opened, A=A), start, a, E_star, dgamma, sigma_0)
     load = _force_of if control == 'force' else _depth_of
-    return State(a, q, still(rate, a, q, control, E_star, sigma_0), load(a, q, A, E_star, dgamma, sigma_0))
+    growth = _growth(a, A)
+    return state_near(partial(_opened, A=A), growth, lambda q: load(a, q, A, E_star, dgamma, sigma_0), start, a, control, E_star, dgamma, sigma_0)
 
 
 def _pull_off_radius(A, E_star, dgamma, sigma_0, control):

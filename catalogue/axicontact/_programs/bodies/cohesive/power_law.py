@@ -6,9 +6,8 @@ from math import asinh, atan, atan2, cosh, exp, expm1, fsum, hypot, inf, isfinit
 
 from ...._programs.bodies.normal import power_law as normal
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_near, root_of_zone, still
-from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii, radius_of_pull_off, radius_under
-from ...._runtime.physics.cohesive_states import State
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_of_zone
+from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii, radius_of_pull_off, radius_under, state_near
 from ....cohesive.power_law import partial
 from ...._runtime.plain import log, log1p, sqrt, rule, MATH as np
 
@@ -136,15 +135,25 @@ def _displacement(r, a, A, n, E_star, dgamma, sigma_0):
     return _displacement_of(r, a, _zone(a, A, n, E_star, dgamma, sigma_0), A, n, E_star, dgamma, sigma_0)
 
 
+def _growth(a, A, n):
+    if a > 0.0:
+        v11 = n / 2.0 + 0.5
+        v13 = v11 + 1.75
+        v17 = (v11 + 0.5) * (v11 + 1.5)
+        v31 = 1.0 / (v13 * v13)
+        return 1.7724538509055159 * n * A * ((v11 * (v11 + 1.0) / v17 if v11 < 1.0 else 1.0 - (v11 + 0.75) / v17) * sqrt(v13) * (1.0 + v31 * (((((((0.01524698625788054 * v31 + 0.5334320651111477) * v31 + 2.250488865813539) * v31 + 2.8612106440066865) * v31 + 1.3794681629043655) * v31 + 0.2596058532893223) * v31 + 0.015624999999999823) / ((((((3.278794792785737 * v31 + 49.328555418276075) * v31 + 167.28648538571198) * v31 + 195.37226190335065) * v31 + 90.69722535867314) * v31 + 16.763212110504565) * v31 + 1.0)))) * pow(a, n) / a
+    return 0.0
+
+
 def _radii(A, n, E_star, dgamma, sigma_0):
     first = _zone(np.zeros_like(sigma_0), A, n, E_star, dgamma, sigma_0)
     return radii(first)
 
 
 def _state(a, start, A, n, E_star, dgamma, sigma_0, control):
-    q, rate = root_near(partial(_opened, A=A, n=n), start, a, E_star, dgamma, sigma_0)
     load = _force_of if control == 'force' else _depth_of
-    return State(a, q, still(rate, a, q, control, E_star, sigma_0), load(a, q, A, n, E_star, dgamma, sigma_0))
+    growth = _growth(a, A, n)
+    return state_near(partial(_opened, A=A, n=n), growth, lambda q: load(a, q, A, n, E_star, dgamma, sigma_0), start, a, control, E_star, dgamma, sigma_0)
 
 
 def _pull_off_radius(A, n, E_star, dgamma, sigma_0, control):

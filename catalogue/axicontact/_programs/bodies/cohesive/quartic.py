@@ -6,9 +6,8 @@ from math import atan2, cos, fsum, hypot, inf, pow, sin
 
 from ...._programs.bodies.normal import quartic as normal
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_near, root_of_zone, still
-from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii, radius_of_pull_off, radius_under
-from ...._runtime.physics.cohesive_states import State
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_of_zone
+from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii, radius_of_pull_off, radius_under, state_near
 from ....cohesive.quartic import partial
 from ...._runtime.plain import sqrt, rule, MATH as np
 
@@ -83,15 +82,21 @@ def _displacement(r, a, A, E_star, dgamma, sigma_0):
     return _displacement_of(r, a, _zone(a, A, E_star, dgamma, sigma_0), A, E_star, dgamma, sigma_0)
 
 
+def _growth(a, A):
+    if a > 0.0:
+        return 32.0 * A / 3.0 * (a * (a * a))
+    return 0.0
+
+
 def _radii(A, E_star, dgamma, sigma_0):
     first = _zone(np.zeros_like(sigma_0), A, E_star, dgamma, sigma_0)
     return radii(first)
 
 
 def _state(a, start, A, E_star, dgamma, sigma_0, control):
-    q, rate = root_near(partial(_opened, A=A), start, a, E_star, dgamma, sigma_0)
     load = _force_of if control == 'force' else _depth_of
-    return State(a, q, still(rate, a, q, control, E_star, sigma_0), load(a, q, A, E_star, dgamma, sigma_0))
+    growth = _growth(a, A)
+    return state_near(partial(_opened, A=A), growth, lambda q: load(a, q, A, E_star, dgamma, sigma_0), start, a, control, E_star, dgamma, sigma_0)
 
 
 def _pull_off_radius(A, E_star, dgamma, sigma_0, control):

@@ -6,9 +6,8 @@ from math import asinh, atan, atan2, cos, cosh, exp, expm1, fsum, hypot, inf, ne
 
 from ...._programs.bodies.normal import rounded_cone as normal
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_near, root_of_zone, still
-from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii_by, radius_of_pull_off, radius_under
-from ...._runtime.physics.cohesive_states import State
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_of_zone
+from ...._programs.bodies._runtime.physics.cohesive_states import parted_by, radii_by, radius_of_pull_off, radius_under, state_near
 from ....cohesive.rounded_cone import partial
 from ...._runtime.plain import sqrt, rule, MATH as np
 
@@ -177,15 +176,26 @@ def _displacement(r, a, theta, b, E_star, dgamma, sigma_0):
     return _displacement_of(r, a, _zone(a, theta, b, E_star, dgamma, sigma_0), theta, b, E_star, dgamma, sigma_0)
 
 
+def _growth(a, theta, b):
+    v14 = tan(theta)
+    if a < b:
+        return 2.0 * v14 / b * a
+    v3 = a - b
+    v8 = sqrt((v3 if v3 > 0.0 or v3 != v3 else 0.0) * (a + b))
+    v10 = 1e-09 * b
+    v11 = v8 if v8 > v10 or v8 != v8 else v10
+    return v14 * (atan(v11 / b) + 2.0 * b / (v11 + a))
+
+
 def _radii(theta, b, E_star, dgamma, sigma_0):
     first = _zone(np.zeros_like(sigma_0), theta, b, E_star, dgamma, sigma_0)
     return radii_by(first, b)
 
 
 def _state(a, start, theta, b, E_star, dgamma, sigma_0, control):
-    q, rate = root_near(partial(_opened, theta=theta, b=b), start, a, E_star, dgamma, sigma_0)
     load = _force_of if control == 'force' else _depth_of
-    return State(a, q, still(rate, a, q, control, E_star, sigma_0), load(a, q, theta, b, E_star, dgamma, sigma_0))
+    growth = _growth(a, theta, b)
+    return state_near(partial(_opened, theta=theta, b=b), growth, lambda q: load(a, q, theta, b, E_star, dgamma, sigma_0), start, a, control, E_star, dgamma, sigma_0)
 
 
 def _pull_off_radius(theta, b, E_star, dgamma, sigma_0, control):
@@ -194,7 +204,7 @@ def _pull_off_radius(theta, b, E_star, dgamma, sigma_0, control):
 
 def _parted(theta, b, E_star, dgamma, sigma_0):
     first = _zone(np.zeros_like(sigma_0), theta, b, E_star, dgamma, sigma_0)
-    return parted(partial(_opened, theta=theta, b=b), first, E_star, sigma_0)
+    return parted_by(partial(_opened, theta=theta, b=b), first, b, E_star, sigma_0)
 
 
 def _pull_off_zone(a, theta, b, E_star, dgamma, sigma_0):

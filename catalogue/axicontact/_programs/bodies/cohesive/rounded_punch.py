@@ -6,9 +6,8 @@ from math import asinh, atan, atan2, cos, cosh, exp, expm1, fsum, hypot, inf, na
 
 from ...._programs.bodies.normal import rounded_punch as normal
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_near, root_of_zone, still
-from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii_by, radius_of_pull_off, radius_under
-from ...._runtime.physics.cohesive_states import State
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_of_zone
+from ...._programs.bodies._runtime.physics.cohesive_states import parted_by, radii_by, radius_of_pull_off, radius_under, state_near
 from ....cohesive.rounded_punch import partial
 from ...._runtime.plain import sqrt, rule, MATH as np
 
@@ -170,15 +169,25 @@ def _displacement(r, a, R, b, E_star, dgamma, sigma_0):
     return _displacement_of(r, a, _zone(a, R, b, E_star, dgamma, sigma_0), R, b, E_star, dgamma, sigma_0)
 
 
+def _growth(a, R, b):
+    if a < b:
+        return 0.0
+    v3 = a - b
+    v8 = sqrt((v3 if v3 > 0.0 or v3 != v3 else 0.0) * (a + b))
+    v10 = 1e-09 * b
+    v11 = v8 if v8 > v10 or v8 != v8 else v10
+    return 2.0 * v11 / R - b / R * atan2(v11, b)
+
+
 def _radii(R, b, E_star, dgamma, sigma_0):
     first = _zone(np.zeros_like(sigma_0), R, b, E_star, dgamma, sigma_0)
     return radii_by(first, b)
 
 
 def _state(a, start, R, b, E_star, dgamma, sigma_0, control):
-    q, rate = root_near(partial(_opened, R=R, b=b), start, a, E_star, dgamma, sigma_0)
     load = _force_of if control == 'force' else _depth_of
-    return State(a, q, still(rate, a, q, control, E_star, sigma_0), load(a, q, R, b, E_star, dgamma, sigma_0))
+    growth = _growth(a, R, b)
+    return state_near(partial(_opened, R=R, b=b), growth, lambda q: load(a, q, R, b, E_star, dgamma, sigma_0), start, a, control, E_star, dgamma, sigma_0)
 
 
 def _pull_off_radius(R, b, E_star, dgamma, sigma_0, control):
@@ -187,7 +196,7 @@ def _pull_off_radius(R, b, E_star, dgamma, sigma_0, control):
 
 def _parted(R, b, E_star, dgamma, sigma_0):
     first = _zone(np.zeros_like(sigma_0), R, b, E_star, dgamma, sigma_0)
-    return parted(partial(_opened, R=R, b=b), first, E_star, sigma_0)
+    return parted_by(partial(_opened, R=R, b=b), first, b, E_star, sigma_0)
 
 
 def _pull_off_zone(a, R, b, E_star, dgamma, sigma_0):

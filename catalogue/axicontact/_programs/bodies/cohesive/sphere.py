@@ -7,9 +7,8 @@ from math import asinh, atan2, cos, cosh, fsum, hypot, inf, sin, sinh
 from ...._programs.bodies.normal import sphere as normal
 from ...._programs.bodies._runtime.integrals import difference_root
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_near, root_of_zone, still, tension_of_zone, zone_within
-from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii_up_to, radius_of_pull_off, radius_under
-from ...._runtime.physics.cohesive_states import State
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_of_zone, tension_of_zone, zone_within
+from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii_up_to, radius_of_pull_off, radius_under, state_near
 from ....cohesive.sphere import partial
 from ...._runtime.plain import log1p, sqrt, rule, MATH as np
 
@@ -98,15 +97,23 @@ def _displacement(r, a, R, E_star, dgamma, sigma_0):
     return _displacement_of(r, a, _zone(a, R, E_star, dgamma, sigma_0), R, E_star, dgamma, sigma_0)
 
 
+def _growth(a, R):
+    if a > 0.0:
+        v4 = R - a
+        v8 = sqrt((v4 if v4 > 0.0 or v4 != v4 else 0.0) * (R + a))
+        return asinh(a / v8) + R * a / (v8 * v8)
+    return 0.0
+
+
 def _radii(R, E_star, dgamma, sigma_0):
     first = _zone(np.zeros_like(sigma_0), R, E_star, dgamma, sigma_0)
-    return radii_up_to(first, R, lambda a: zone_within(partial(_opened, R=R), a, E_star, dgamma, sigma_0, difference_root(R, a)))
+    return radii_up_to(first, R)
 
 
 def _state(a, start, R, E_star, dgamma, sigma_0, control):
-    q, rate = root_near(partial(_opened, R=R), start, a, E_star, dgamma, sigma_0, difference_root(R, a))
     load = _force_of if control == 'force' else _depth_of
-    return State(a, q, still(rate, a, q, control, E_star, sigma_0), load(a, q, R, E_star, dgamma, sigma_0))
+    growth = _growth(a, R)
+    return state_near(partial(_opened, R=R), growth, lambda q: load(a, q, R, E_star, dgamma, sigma_0), start, a, control, E_star, dgamma, sigma_0, difference_root(R, a))
 
 
 def _pull_off_radius(R, E_star, dgamma, sigma_0, control):

@@ -6,9 +6,8 @@ from math import asinh, atan2, cos, cosh, exp, expm1, fsum, hypot, inf, sin, sin
 
 from ...._programs.bodies.normal import sphere_tipped_cone as normal
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_near, root_of_zone, still, tension_of_zone
-from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii_by, radius_of_pull_off, radius_under
-from ...._runtime.physics.cohesive_states import State
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_of_zone, tension_of_zone
+from ...._programs.bodies._runtime.physics.cohesive_states import parted_by, radii_by, radius_of_pull_off, radius_under, state_near
 from ....cohesive.sphere_tipped_cone import partial
 from ...._runtime.plain import log1p, sqrt, rule, MATH as np
 
@@ -171,15 +170,29 @@ def _displacement(r, a, R, theta, E_star, dgamma, sigma_0):
     return _displacement_of(r, a, _zone(a, R, theta, E_star, dgamma, sigma_0), R, theta, E_star, dgamma, sigma_0)
 
 
+def _growth(a, R, theta):
+    v4 = R * sin(theta)
+    if a < v4:
+        v19 = sqrt((R - a) * (R + a))
+        return asinh(a / v19) + R * a / (v19 * v19)
+    v5 = a - v4
+    v10 = sqrt((v5 if v5 > 0.0 or v5 != v5 else 0.0) * (a + v4))
+    v12 = 1e-09 * v4
+    v13 = v10 if v10 > v12 or v10 != v10 else v12
+    v28 = R * cos(theta)
+    v30 = v4 * v4
+    return log1p((v30 / (v13 + a) + v30 / (v28 + R)) / (v13 + v28)) + v4 * atan2(v13, v4) / v28 + v30 * R / (a * (v28 * v28) + R * v13 * v28)
+
+
 def _radii(R, theta, E_star, dgamma, sigma_0):
     first = _zone(np.zeros_like(sigma_0), R, theta, E_star, dgamma, sigma_0)
     return radii_by(first, R * np.sin(theta))
 
 
 def _state(a, start, R, theta, E_star, dgamma, sigma_0, control):
-    q, rate = root_near(partial(_opened, R=R, theta=theta), start, a, E_star, dgamma, sigma_0)
     load = _force_of if control == 'force' else _depth_of
-    return State(a, q, still(rate, a, q, control, E_star, sigma_0), load(a, q, R, theta, E_star, dgamma, sigma_0))
+    growth = _growth(a, R, theta)
+    return state_near(partial(_opened, R=R, theta=theta), growth, lambda q: load(a, q, R, theta, E_star, dgamma, sigma_0), start, a, control, E_star, dgamma, sigma_0)
 
 
 def _pull_off_radius(R, theta, E_star, dgamma, sigma_0, control):
@@ -188,7 +201,7 @@ def _pull_off_radius(R, theta, E_star, dgamma, sigma_0, control):
 
 def _parted(R, theta, E_star, dgamma, sigma_0):
     first = _zone(np.zeros_like(sigma_0), R, theta, E_star, dgamma, sigma_0)
-    return parted(partial(_opened, R=R, theta=theta), first, E_star, sigma_0)
+    return parted_by(partial(_opened, R=R, theta=theta), first, R * np.sin(theta), E_star, sigma_0)
 
 
 def _pull_off_zone(a, R, theta, E_star, dgamma, sigma_0):

@@ -6,9 +6,8 @@ from math import asinh, atan, atan2, cos, cosh, exp, expm1, fsum, hypot, inf, na
 
 from ...._programs.bodies.normal import truncated_cone as normal
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_near, root_of_zone, still
-from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii_by, radius_of_pull_off, radius_under
-from ...._runtime.physics.cohesive_states import State
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_of_zone
+from ...._programs.bodies._runtime.physics.cohesive_states import parted_by, radii_by, radius_of_pull_off, radius_under, state_near
 from ....cohesive.truncated_cone import partial
 from ...._runtime.plain import sqrt, rule, MATH as np
 
@@ -158,15 +157,26 @@ def _displacement(r, a, theta, b, E_star, dgamma, sigma_0):
     return _displacement_of(r, a, _zone(a, theta, b, E_star, dgamma, sigma_0), theta, b, E_star, dgamma, sigma_0)
 
 
+def _growth(a, theta, b):
+    if a < b:
+        return 0.0
+    v3 = a - b
+    v8 = sqrt((v3 if v3 > 0.0 or v3 != v3 else 0.0) * (a + b))
+    v10 = 1e-09 * b
+    v11 = v8 if v8 > v10 or v8 != v8 else v10
+    v15 = tan(theta)
+    return v15 * atan(v11 / b) + b * v15 / v11
+
+
 def _radii(theta, b, E_star, dgamma, sigma_0):
     first = _zone(np.zeros_like(sigma_0), theta, b, E_star, dgamma, sigma_0)
     return radii_by(first, b)
 
 
 def _state(a, start, theta, b, E_star, dgamma, sigma_0, control):
-    q, rate = root_near(partial(_opened, theta=theta, b=b), start, a, E_star, dgamma, sigma_0)
     load = _force_of if control == 'force' else _depth_of
-    return State(a, q, still(rate, a, q, control, E_star, sigma_0), load(a, q, theta, b, E_star, dgamma, sigma_0))
+    growth = _growth(a, theta, b)
+    return state_near(partial(_opened, theta=theta, b=b), growth, lambda q: load(a, q, theta, b, E_star, dgamma, sigma_0), start, a, control, E_star, dgamma, sigma_0)
 
 
 def _pull_off_radius(theta, b, E_star, dgamma, sigma_0, control):
@@ -175,7 +185,7 @@ def _pull_off_radius(theta, b, E_star, dgamma, sigma_0, control):
 
 def _parted(theta, b, E_star, dgamma, sigma_0):
     first = _zone(np.zeros_like(sigma_0), theta, b, E_star, dgamma, sigma_0)
-    return parted(partial(_opened, theta=theta, b=b), first, E_star, sigma_0)
+    return parted_by(partial(_opened, theta=theta, b=b), first, b, E_star, sigma_0)
 
 
 def _pull_off_zone(a, theta, b, E_star, dgamma, sigma_0):

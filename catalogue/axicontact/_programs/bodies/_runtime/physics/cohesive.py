@@ -15,7 +15,6 @@ EMPTY = 0.5707963267948966
 EXPONENTS = (0.5, 4.0,)
 INSIDE = 0.75
 NARROW = 0.7
-SAME = 1e-12
 WITHIN = 0.999999
 
 
@@ -63,32 +62,20 @@ def root_of_zone(opened, a, E_star, dgamma, sigma_0, largest=np.inf):
     blend = 0.5 * (grown + ring)
     own = ring_of_zone(start, a, E_star, sigma_0) * (sigma_0 / dgamma)
     whole = (gap * (sigma_0 / dgamma)) ** (blend / grown) + own ** (blend / ring)
-    return root_near(opened, start * whole ** (-1.0 / blend), a, E_star, dgamma, sigma_0, largest, CLOSE)[0]
-
-
-def ring_of_zone(q, a, E_star, sigma_0):
-    return 1.2732395447351628 * (sigma_0 / E_star) * q * (atan2(q, a) - q / (hypot(a, q) + a))
-
-
-def root_near(opened, start, a, E_star, dgamma, sigma_0, largest=np.inf, close=3e-07):
-    """The same from a guess on, and the rate of the gap with c there."""
-    load, looked = (4.0 / np.pi * (sigma_0 / E_star), [])
+    start = np.minimum(start * whole ** (-1.0 / blend), WITHIN * largest)
+    load, value = (4.0 / np.pi * (sigma_0 / E_star), dgamma / sigma_0)
 
     def curve(q):
         c, angle = (np.hypot(a, q), np.arctan2(q, a))
         gap, rate = opened(q, a)
-        looked.append((q, rate))
         short = q / c * (q / (c + a))
         whole = gap + load * q * (angle - q / (c + a))
         return (whole, q / whole * (q / c) * (rate + load * (angle / (q / c) - short)))
-    value = dgamma / sigma_0
-    q = inverse(curve, value, np.minimum(start, WITHIN * largest), EXPONENTS, largest, smooth=True, noise=close * value)
-    (before, rate_before), (last, rate) = (looked[-2:][0], looked[-1])
-    known = (before != last) & (rate_before > 0.0)
-    if np.any((0.0 if known else np.abs(q - last)) > SAME * q):
-        return (q, opened(q, a)[1])
-    ways = (np.log(last / before if known else 1.0), np.log(rate / rate_before if known else 1.0))
-    return (q, rate * (q / last) ** (ways[1] / (ways[0] if known else 1.0) if known else 0.0))
+    return inverse(curve, value, start, EXPONENTS, largest, smooth=True, noise=CLOSE * value)
+
+
+def ring_of_zone(q, a, E_star, sigma_0):
+    return 1.2732395447351628 * (sigma_0 / E_star) * q * (atan2(q, a) - q / (hypot(a, q) + a))
 
 
 def sunk(q, E_star, sigma_0):
@@ -139,18 +126,6 @@ def _ring(near, far, kc, end, within):
         root = np.hypot(kc, ratio * sine)
         return (far * root if within else near * (sine / root) * (sine * ratio)) * scale * np.cosh(v)
     return integral_in_strip(rate, last, NARROW)
-
-
-def still(rate, a, q, control, E_star, sigma_0):
-    """Rate of the gap with c over that at which the load does not change with a: above 1 the load grows.
-
-    What the ring adds to the gap and takes of the load has fallen out; no slope of the profile is left.
-    """
-    c, angle = (np.hypot(a, q), np.arctan2(q, a))
-    level = q / c * (q / (c + a))
-    if control == 'force':
-        rate, level = (rate * (a / c), level * (a / c) + angle * angle)
-    return rate / (4.0 / np.pi * (sigma_0 / E_star) * level)
 
 
 def alone(opened, c, E_star, dgamma, sigma_0):

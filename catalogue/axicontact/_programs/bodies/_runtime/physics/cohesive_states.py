@@ -6,78 +6,147 @@ from __future__ import annotations
 from ....._runtime.physics.cohesive_states import State, Stretch
 from ....._runtime.plain import MATH as np
 
+ALIKE = 0.5
+BESIDE = 4.440892098500626e-16
 BEYOND = 1.2
 BUMP = (0.1, 0.25, 0.4, 0.55, 0.7, 0.85, 0.95,)
 CLOSE = 1e-09
 CORNER = (0.5, 0.9, 1.0, 1.01, 1.1, 1.5, 3.0,)
-FLAT = 0.3
+DEGREES = (0.5, 16.0,)
+FINE = 1e-07
+FURTHEST = 3.0
 LEAST = 1e-20
 LONGEST = 27.0
+LOOKS = 60
+MARGIN = 0.05
+NARROW = 0.0001
+NARROWEST = 1e-06
+PATIENCE = 8
+ROUGH = 0.2
 ROUNDING = 1e-15
-SETTLED = 1e-11
+SETTLED = 1e-15
 SHORT = 0.01
 SHORTEST = 0.7
-STEEP = 1.0
-STEPS = 60
-UNMOVED = 1e-15
+SMALL = 0.0001
+STEEP = 8.0
+STEPS = 80
+STIFF = 100000000.0
 WALKED = 90
 WITHIN = 0.999999
 
 
 def radii(first):
     """Of an endless profile without breaks."""
-    return Stretch(first, [first], np.inf, endless, True)
+    return Stretch(first, [first], np.inf, True)
 
 
 def radii_by(first, corner):
     """Of a profile with a break."""
-    return Stretch(first, [corner * share for share in CORNER], np.inf, endless, True)
+    return Stretch(first, [corner * share for share in CORNER], np.inf, True)
 
 
-def radii_up_to(first, largest, within):
+def radii_up_to(first, largest):
     """Of a profile that ends steeply, where the load has one minimum."""
-    return Stretch(first, [SHORT * first], WITHIN * largest, within, True)
+    return Stretch(first, [SHORT * first], WITHIN * largest, True)
 
 
-def radii_on_bump(first, largest, within):
+def radii_on_bump(first, largest):
     """Of a profile that ends level."""
     own = [SHORT * BUMP[0] * first, *[largest * share for share in BUMP]]
-    return Stretch(first, own, WITHIN * largest, within, False)
+    return Stretch(first, own, WITHIN * largest, False)
 
 
-def endless(a):
-    return a
+def state_near(opened, growth, loaded, start, a, control, E_star, dgamma, sigma_0, largest=np.inf):
+    """The state at a contact radius from a guess of q, with g'(a) and the load as a function of q.
+
+    The last step to the root of the zone is not looked at: what it changes is known.  The gap is a function of a and c
+    of a degree n, a dgap/da + c dgap/dc = n gap, and its rate one of the degree n - 1, as far as n is constant.
+    """
+    share, value, last = (4.0 / np.pi * (sigma_0 / E_star), dgamma / sigma_0, WITHIN * largest)
+    lifted = 2.0 / np.pi * growth * a
+    q, low, high = (np.minimum(start, last), 0.0 * start, last)
+    for _ in range(LOOKS):
+        c, angle = (np.hypot(a, q), np.arctan2(q, a))
+        gap, rate = opened(q, a)
+        sine, short = (q / c, q / c * (q / (c + a)))
+        whole = gap + share * q * (angle - q / (c + a))
+        rise = q * sine * (rate + share * (angle / sine - short))
+        short_of = (value - whole) / whole
+        nearly = np.abs(short_of) < 0.5
+        off = (np.log1p(short_of if nearly else 0.0) if nearly else np.log(value / whole)) * whole / rise
+        off = np.minimum(np.maximum(off, -FURTHEST), FURTHEST)
+        edge = lifted * (a / c) / (q * rate if rate > 0.0 else 1.0) if rate > 0.0 else 0.0
+        known = gap > 0.0
+        degree = (c * rate - lifted * angle) / (gap if known else 1.0)
+        degree = (degree if q > NARROWEST * a else 2.0) if known else STIFF
+        doubt = np.abs(off) * (1.0 + edge + np.abs(degree) + q / (largest - q))
+        left = (doubt > ROUGH) & (np.abs(off) > FINE) & ((off < 0.0) | (q < last))
+        if not np.count_nonzero(left):
+            break
+        low, high = (q if off > 0.0 else low, q if off < 0.0 else high)
+        ahead = np.minimum(q * np.exp(off), last)
+        halved = np.sqrt(np.maximum(low, LEAST * high)) * np.sqrt(high)
+        q = (ahead if (ahead > low) & (ahead <= high) else halved) if left else q
+    reached = (q < last) | (off <= 0.0)
+    power = np.minimum(np.maximum(degree, DEGREES[0]), DEGREES[1]) - 1.0
+    along = sine * sine * (power + edge)
+    gap = gap * np.exp(off * (q * sine * rate / (gap if known else 1.0) if known else 0.0))
+    rate = rate * np.exp(np.minimum(np.maximum(off * along, -FURTHEST), FURTHEST))
+    q = q * np.exp(off)
+    c, angle = (np.hypot(a, q), np.arctan2(q, a))
+    sine, cosine, short = (q / c, a / c, q / c * (q / (c + a)))
+    rise = q * sine * (rate + share * (angle / sine - short))
+    gained = degree * gap - q * sine * rate if q < a else a * cosine * rate - lifted * angle
+    widening = (share * a * cosine * short - gained) / rise
+    steepening = cosine * cosine * power - sine * sine * edge + along * widening
+    turn = sine * cosine * (widening - 1.0)
+    level, bend, ratio = (short, sine, rate / share)
+    if control == 'force':
+        level, bend, ratio = (cosine * short + angle * angle, (2.0 * cosine - 1.0) * sine + 2.0 * angle, ratio * cosine)
+        steepening = steepening + sine * sine * (1.0 - widening)
+        gain = 2.0 * E_star * a * a * growth - 4.0 * sigma_0 * (a * a * angle + q * (q * angle + a) * widening)
+    else:
+        gain = a * growth - 2.0 * (sigma_0 / E_star) * q * widening
+    steepening = steepening - bend * turn / level
+    return State(a, q, ratio / level if reached else np.nan, loaded(q), widening, steepening, gain, off, doubt)
 
 
 def radius_of_pull_off(near, stretch):
     """That of the least load: 0 where it falls as long as there is a contact, not a number beyond the profile."""
-    return _least(_risen(near, _walked(near, stretch, _by_ratio, _never))).a
+    found = _walked(near, stretch, _by_ratio, _never)
+    return _least(_risen(near, found, stretch.first == stretch.first)).a
 
 
 def radius_under(near, value, stretch):
     """The largest radius with this load where the load grows, from that of the least load on."""
 
     def missed(state):
-        far = np.log(np.maximum(state.load, LEAST * value) / value) if state.load > 0.0 else -SHORTEST
-        return np.log(state.ratio) if state.ratio < 1.0 else far if state.load < value else 0.0
+        some, falls, below = (state.load > 0.0, state.ratio < 1.0, state.load < value)
+        far = np.log(np.maximum(state.load, LEAST * value) / value) if some else -SHORTEST
+        rate = state.steepening if falls else state.gain / (state.load if some else 1.0) if some else 0.0
+        return (np.log(state.ratio) if falls else far if below else 0.0, rate)
     found = _walked(near, stretch, missed, lambda state: (state.ratio >= 1.0) & (state.load <= value))
     if np.all(found[0].a > 0.0) and (not np.all(found[-1].load >= value)):
         found = _walked(near, stretch, missed, _never)
-    risen, left = (_risen(near, found), value < np.inf)
+    sought = value == value
+    if len(stretch.radii) == 1:
+        for low, high in zip(found, found[1:], strict=False):
+            sought = sought & np.logical_not((low.ratio >= 1.0) & (low.load <= value) & (high.load >= value))
+    risen, left = (_risen(near, found, sought), value < np.inf)
     least, a = (_least(risen), np.full_like(value, np.nan))
     for start, high, _ in risen[::-1]:
         met = left & (start.load - value <= ROUNDING * (np.abs(start.load) + np.abs(value))) & (high.load >= value)
         met = met & (start.a >= least.a)
-        there = _between(near, _by_load(value, least), start, high, met)
+        there = _between(near, _by_load(value, least), start, high, met, exact=True)
         a, left = ((start.a if np.isnan(there.a) else there.a) if met else a, left & np.logical_not(met))
     return a
 
 
-def _risen(near, found):
-    """States, or minima between two, with those that follow, and whether the load grows from there on."""
+def _risen(near, found, sought):
+    """States, or minima between two that are sought, with those that follow; and whether the load grows from there."""
     risen = []
     for low, high in zip(found, found[1:], strict=False):
-        dips = (low.ratio < 1.0) & (high.ratio >= 1.0)
+        dips = sought & (low.ratio < 1.0) & (high.ratio >= 1.0)
         start = _chosen(dips, _between(near, _by_ratio, low, high, dips), low)
         risen.append((start, high, dips | (low.ratio >= 1.0)))
     return risen
@@ -93,41 +162,60 @@ def _least(risen):
 
 def parted(opened, first, E_star, sigma_0):
     """The radius c of a zone without contact, up to its first one, at which the depth is least; 0 where it falls."""
+    near = _without_contact(opened, E_star, sigma_0)
+    return _parted(near, near(LEAST * first, first), near(first, first))
+
+
+def parted_by(opened, first, corner, E_star, sigma_0):
+    """The same for a profile with a break, at which its slope may jump."""
+    near = _without_contact(opened, E_star, sigma_0)
+    before, after, beyond = (near((1.0 - BESIDE) * corner, first), near((1.0 + BESIDE) * corner, first), first > corner)
+    low = _chosen(beyond & (after.ratio < 1.0), after, near(LEAST * first, first))
+    high = _chosen(beyond & (before.ratio >= 1.0), before, near(first, first))
+    jumps = beyond & (before.ratio < 1.0) & (after.ratio >= 1.0)
+    return corner if jumps else _parted(near, low, high)
+
+
+def _without_contact(opened, E_star, sigma_0):
 
     def near(c, q):
-        ratio = opened(c, np.zeros_like(c))[1] / (4.0 / np.pi * (sigma_0 / E_star))
-        return State(c, c, ratio, ratio)
-    last = near(first, first)
-    least = _between(near, _by_ratio, _none(last)._replace(a=np.zeros_like(first)), last, last.ratio >= 1.0)
+        gap, rate = opened(c, np.zeros_like(c))
+        ratio, known = (rate / (4.0 / np.pi * (sigma_0 / E_star)), gap > 0.0)
+        degree = c * rate / (gap if known else 1.0) if known else 2.0
+        return State(c, c, ratio, ratio, np.ones_like(c), degree - 1.0, ratio, 0.0 * q, 0.0 * q)
+    return near
+
+
+def _parted(near, low, high):
+    least = _between(near, _by_ratio, low, high, high.ratio >= 1.0)
     return 0.0 if np.isnan(least.a) else least.a
 
 
 def _by_ratio(state):
-    return np.log(state.ratio)
+    return (np.log(state.ratio), state.steepening)
 
 
 def _by_load(value, least):
     """What is missed of a load above the least one, which grows as (ln a)**2 there and as a power of a far from it."""
     size = np.abs(least.load)
-    wanted = np.log1p(np.sqrt((value - least.load) / size))
+    wanted = np.sqrt((value - least.load) / size)
 
     def missed(state):
-        known = np.log1p(np.sqrt(np.maximum(state.load - least.load, 0.0) / size))
-        return 0.0 if np.abs(state.load - value) <= ROUNDING * (size + np.abs(value)) else known - wanted
+        known = np.sqrt(np.maximum(state.load - least.load, 0.0) / size)
+        same = np.abs(state.load - value) <= ROUNDING * (size + np.abs(value))
+        rate = state.gain / size / (2.0 * known * (1.0 + known) if known > 0.0 else 1.0)
+        return (0.0 if same else np.log1p(known) - np.log1p(wanted), rate)
     return missed
 
 
 def _none(state):
     """In the place of a state: there is none."""
-    return State(np.full_like(state.a, np.nan), state.q, np.full_like(state.ratio, np.nan), np.full_like(state.load, np.inf))
+    nothing = np.full_like(state.a, np.nan)
+    return state._replace(a=nothing, ratio=nothing, load=np.full_like(state.load, np.inf))
 
 
 def _chosen(condition, one, other):
-    return State(*_picked(condition, one, other))
-
-
-def _picked(condition, one, other):
-    return [x if condition else y for x, y in zip(one, other, strict=True)]
+    return State(*[x if condition else y for x, y in zip(one, other, strict=True)])
 
 
 def _never(state):
@@ -139,12 +227,10 @@ def _walked(near, stretch, missed, enough):
 
     They begin at the highest of the radii at which there is `enough`, without a contact if there is none.
     """
-    first, own, top, within, rises = stretch
-    states, guides = (list[State](), list[State]())
+    first, own, top, rises = stretch
+    states = list[State]()
     for a in own[::-1]:
-        guess = _guess(guides, a) if guides else first
-        states.append(near(within(a), guess))
-        guides.append(State(a, guess if np.isnan(states[-1].q) else states[-1].q, *states[-1][2:]))
+        states.append(near(a, _guess(states[-1], a) if states else first))
         if np.all(enough(states[-1])):
             break
     found = [] if np.all(enough(states[-1])) else [near(np.zeros_like(first), first)]
@@ -152,78 +238,64 @@ def _walked(near, stretch, missed, enough):
         reached = here.ratio == here.ratio
         found.append(_chosen(reached, here, found[-1]) if found else here)
         top = top if reached else np.minimum(a, top)
-    last = found[-1]
-    step, ended, steep = (np.full_like(first, SHORTEST), first != first, np.full_like(first, STEEP))
+    last, step, ended = (found[-1], np.full_like(first, SHORTEST), first != first)
     for _ in range(WALKED):
-        short = missed(last)
+        short, rate = missed(last)
         more = (short < 0.0) & (last.a * (1.0 + CLOSE) < top) & (rises | (last.ratio >= 1.0))
         if not np.count_nonzero(more):
             break
-        step = np.minimum(np.maximum(-BEYOND * short / steep, step), LONGEST)
+        aimed = -BEYOND * short / (rate if rate > 0.0 else 1.0) if rate > 0.0 else step
+        step = np.minimum(np.maximum(aimed, step), LONGEST)
         ahead = np.sqrt(last.a * top) if ended else top
         a = np.minimum(last.a * np.exp(step), ahead) if more else last.a
-        here, step = (near(within(a), _guess(found, a)), 2.0 * step)
+        here, step = (near(a, _guess(last, a)), 2.0 * step)
         reached = here.ratio == here.ratio
-        gained = missed(here) - short
-        steep = np.maximum(gained / np.log(a / last.a), FLAT) if gained > 0.0 else steep
-        last, top, ended = (_chosen(reached, here, last), top if reached else a, ended | np.logical_not(reached))
+        last, top = (_chosen(more & reached, here, last), top if reached else a)
+        ended = ended | np.logical_not(reached)
         found.append(last)
     return found
 
 
-def _guess(found, a):
-    """q at a radius, by a line in logarithms through the last two states."""
-    last, before = (found[-1], found[-2:][0])
-    known = (before.a > 0.0) & (last.a != before.a)
-    slope = np.log(last.q / before.q) / np.log(last.a / before.a) if known else 0.0
-    return last.q * ((a / last.a) ** slope if known else 1.0)
+def _guess(state, a):
+    """q at another radius."""
+    known = (state.a > 0.0) & (state.ratio == state.ratio)
+    wider = np.log(a / (state.a if known else 1.0) if known else 1.0) * (state.widening if known else 0.0)
+    return state.q * np.exp(np.minimum(np.maximum(wider, -FURTHEST), FURTHEST))
 
 
-def _between(near, missed, low, high, holds):
-    """Where what is missed changes its sign between two states, by parabolas in ln a or halves (Chandrupatla 1997)."""
-    low, high = _above_nothing(near, missed, low, high, holds)
-    holds = holds & (missed(low) < 0.0)
+def _between(near, missed, low, high, holds, exact=False):
+    """Where what is missed changes its sign between two states, by steps along its rate, or secants, or halves."""
+    unit = high.a
+    (y_low, rate_low), (y, rate) = (missed(low), missed(high))
+    bottom = np.log(np.maximum(low.a / unit, LEAST)) - (MARGIN if np.abs(y_low) < low.doubt else 0.0)
+    top = MARGIN if np.abs(y) < high.doubt else 0.0 * unit
+    holds = holds & (y_low < 0.0)
     if not np.count_nonzero(holds):
         return _none(high)
-    unit, best, left = (high.a, high, holds)
-    x, y, z = (0.0 * unit, missed(high), np.log(high.q))
-    x_b, y_b, z_b = (np.log(low.a / unit), missed(low), np.log(low.q))
-    x_c, y_c, z_c = (x_b, y_b, z_b)
-    share = y / (y - y_b) if (y > 0.0) & (y_b > -np.inf) else 0.5
-    for _ in range(STEPS):
-        moved = x + share * (x_b - x)
-        slope = (z_b - z) / (x_b - x)
-        bend = 0.0 if x_c == x_b else (slope - (z_c - z) / (x_c - x)) / (x_b - x_c)
-        state = near(unit * np.exp(moved), np.exp(z + (moved - x) * (slope + (moved - x_b) * bend)))
-        found, gone = (missed(state), np.abs(moved - x))
-        rest = found * (moved - x) / (found - y) if (np.abs(found) <= SETTLED) & (found != y) else 0.0
-        best = _chosen(left, state._replace(a=unit * np.exp(moved - rest)), best)
-        left = left & (np.abs(found) > SETTLED) & (gone > UNMOVED)
+    closer = (low.a > 0.0) & (-y_low < y) & (rate_low * (top - bottom) < STEEP * (y - y_low))
+    here, best, left = (_chosen(closer, low, high), high, holds)
+    x = np.log(np.maximum(low.a / unit, LEAST)) if closer else 0.0
+    y, rate, moved = (y_low if closer else y, rate_low if closer else rate, unit)
+    for number in range(STEPS):
+        sure = (np.abs(y) >= here.doubt) | (np.abs(here.off) <= FINE)
+        bottom = np.maximum(bottom, x) if sure & (y < 0.0) else bottom
+        top = np.minimum(top, x) if sure & (y > 0.0) else top
+        aim = x - y / (rate if rate > 0.0 else 1.0) if sure else x
+        halved = np.logical_not((aim >= bottom) & (aim <= top))
+        if number >= PATIENCE and number % 2 == 0:
+            halved = halved | sure & (4.0 * np.abs(aim - x) > moved)
+        aim = 0.5 * (bottom + top) if halved else aim
+        step = np.abs(aim - x)
+        best = _chosen(left, here._replace(a=unit * np.exp(aim)), best)
+        narrow = here.q <= NARROW * here.a
+        after = 1.0 if halved else np.maximum(moved, step) if narrow | (not exact) else step
+        left = left & ((step * after > SETTLED) | (np.abs(here.off) > FINE) | (np.abs(y) > SMALL))
         if not np.count_nonzero(left):
             break
-        same = (found >= 0.0) == (y >= 0.0)
-        last, beyond = ((x, y, z), (x_b, y_b, z_b))
-        (x_c, y_c, z_c), (x_b, y_b, z_b) = (_picked(same, last, beyond), _picked(same, beyond, last))
-        x, y, z = (moved, found, np.log(state.q))
-        xi, phi = ((x - x_b) / (x_c - x_b), (y - y_b) / (y_c - y_b))
-        smooth = (phi * phi < xi) & ((1.0 - phi) * (1.0 - phi) < 1.0 - xi)
-        more = (x_c - x) / (x_b - x) * (y_b / (y_c - y_b))
-        share = y / (y_b - y) * (y_c / (y_b - y_c)) + y / (y_c - y) * more if smooth else 0.5
-        share = share if (share > 0.0) & (share < 1.0) else 0.5
+        here = near(unit * np.exp(aim), _guess(here, unit * np.exp(aim)))
+        before, x, moved = ((x, y), aim, step)
+        y, rate = missed(here)
+        alike = (moved < ALIKE) & (moved > 0.0) & (narrow | (not exact)) & (before[1] > -np.inf) & (y > -np.inf)
+        secant = (y - before[1]) / (x - before[0] if alike else 1.0) if alike else 0.0
+        rate = secant if secant > 0.0 else rate
     return _chosen(holds, best, _none(best))
-
-
-def _above_nothing(near, missed, low, high, holds):
-    """Two states with a contact on both sides of what is looked for, where the lower one has none."""
-    step, least = (np.full_like(high.a, SHORTEST), LEAST * high.a)
-    for _ in range(WALKED):
-        more = holds & (low.a <= 0.0)
-        if not np.count_nonzero(more):
-            break
-        step = np.minimum(np.maximum(BEYOND * missed(high) / STEEP, step), LONGEST)
-        a = np.maximum(high.a * np.exp(-step), least) if more else high.a
-        here, step = (near(a, high.q), 2.0 * step)
-        beyond = (missed(here) >= 0.0) & (a > least)
-        low = _chosen(more & np.logical_not(beyond), here, low)
-        high = _chosen(more & beyond, here, high)
-    return (low, high)
