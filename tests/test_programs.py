@@ -33,7 +33,7 @@ from axicontact.normal import (
 from axiderive.code.programs.graph import trace
 
 EXTREMES = np.array([0.0, 1e-300, 1e-30, 0.3, 0.5, 1.0, 1.0, 1.4, 2.0, 1e150, np.inf, np.nan])
-RARE = (sphere._pressure, ellipsoid._pressure)
+RARE = (sphere._pressure, ellipsoid._pressure, sphere._peak_pressure, ellipsoid._peak_pressure)
 """Bodies with a branch that is left to them."""
 
 

@@ -224,7 +224,7 @@ def _least(risen: list[tuple[State, State, Array]]) -> State:
 def parted(opened: Opening, first: Array, E_star: Array, sigma_0: Array) -> Array:
     """The radius c of a zone without contact, up to its first one, at which the depth is least; 0 where it falls."""
     near = _without_contact(opened, E_star, sigma_0)
-    return _parted(near, near(LEAST * first, first), near(first, first))
+    return _least_depth(near, near(LEAST * first, first), near(first, first))
 
 
 def parted_by(opened: Opening, first: Array, corner: Array, E_star: Array, sigma_0: Array) -> Array:
@@ -234,7 +234,7 @@ def parted_by(opened: Opening, first: Array, corner: Array, E_star: Array, sigma
     low = _chosen(beyond & (after.ratio < 1.0), after, near(LEAST * first, first))
     high = _chosen(beyond & (before.ratio >= 1.0), before, near(first, first))
     jumps = beyond & (before.ratio < 1.0) & (after.ratio >= 1.0)
-    return np.where(jumps, corner, _parted(near, low, high))
+    return np.where(jumps, corner, _least_depth(near, low, high))
 
 
 def _without_contact(opened: Opening, E_star: Array, sigma_0: Array) -> Near:
@@ -247,7 +247,7 @@ def _without_contact(opened: Opening, E_star: Array, sigma_0: Array) -> Near:
     return near
 
 
-def _parted(near: Near, low: State, high: State) -> Array:
+def _least_depth(near: Near, low: State, high: State) -> Array:
     least = _between(near, _by_ratio, low, high, high.ratio >= 1.0)
     return np.where(np.isnan(least.a), 0.0, least.a)
 

@@ -163,7 +163,7 @@ def _least(risen):
 def parted(opened, first, E_star, sigma_0):
     """The radius c of a zone without contact, up to its first one, at which the depth is least; 0 where it falls."""
     near = _without_contact(opened, E_star, sigma_0)
-    return _parted(near, near(LEAST * first, first), near(first, first))
+    return _least_depth(near, near(LEAST * first, first), near(first, first))
 
 
 def parted_by(opened, first, corner, E_star, sigma_0):
@@ -173,7 +173,7 @@ def parted_by(opened, first, corner, E_star, sigma_0):
     low = _chosen(beyond & (after.ratio < 1.0), after, near(LEAST * first, first))
     high = _chosen(beyond & (before.ratio >= 1.0), before, near(first, first))
     jumps = beyond & (before.ratio < 1.0) & (after.ratio >= 1.0)
-    return corner if jumps else _parted(near, low, high)
+    return corner if jumps else _least_depth(near, low, high)
 
 
 def _without_contact(opened, E_star, sigma_0):
@@ -186,7 +186,7 @@ def _without_contact(opened, E_star, sigma_0):
     return near
 
 
-def _parted(near, low, high):
+def _least_depth(near, low, high):
     least = _between(near, _by_ratio, low, high, high.ratio >= 1.0)
     return 0.0 if np.isnan(least.a) else least.a
 
