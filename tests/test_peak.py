@@ -330,7 +330,7 @@ def test_the_axis_of_another_profile_is_refused(name: str) -> None:
 
 
 def test_the_certificates_and_the_search_hold() -> None:
-    for name in ("hyperboloid", "rounded_cone", "quartic", "power_law", "rounded_punch", "ellipsoid"):
+    for name in ("ellipsoid", "hyperboloid", "rounded_cone", "quartic", "power_law", "rounded_punch"):
         profile, entries = load(name), derive(load(name))
         assert all(certify(profile, entries, suffix).proved for suffix in ("rp", "pp"))
     assert quadrature.check(Comparison(profile, entries, digits=20, points=2), "pp").passed

@@ -54,6 +54,8 @@ CONDITIONED = {
     "wavy_paraboloid.aF",
     "power_law.U",
     "sphere.U",
+    "sphere.pp",
+    "ellipsoid.pp",
     "concave_power.Fr",
     "concave_paraboloid.Fr",
     "concave_quartic.Fr",

@@ -15,6 +15,7 @@ from ..figures.given import axes_of, load_sketch, tilted_sketch
 from ..figures.plots import SHOWN, frames, plots
 from ..figures.sketch import sketch
 from ..figures.values import Numbers, StripNumbers, sketch_values
+from ..physics.peak import stretch_of_arc
 from ..physics.systems import PRINTED, Problem, pool_of
 from ..print.words import prose
 from ..profiles.loads import Load
@@ -96,6 +97,10 @@ NOTHING: dict[str, Any] = {
 }
 
 
+def _stretched(profile: Profile) -> bool:
+    return stretch_of_arc(profile) not in (None, 1)
+
+
 def _figures(profile_id: str, profile: Profile, main: Entries, derived: Mapping[str, Entries]) -> dict[str, Any]:
     """Sketch, plots, check values, calls and derivation, where the profile has them."""
     pool = pool_of(profile_id)
@@ -121,7 +126,8 @@ def _figures(profile_id: str, profile: Profile, main: Entries, derived: Mapping[
     return texts | {
         "graded": frames(profile, main, graded) if profile_id in SHOWN and "p" in graded else (),
         "stress": pictures(rough) if pool is ROUND else None,
-        "curves": curves(profile, rough) if profile.compact and pool is ROUND else (),
+        # a stretched sphere has the sphere's, over its own depth and force
+        "curves": curves(profile, rough) if profile.compact and pool is ROUND and not _stretched(profile) else (),
         "worked": worked(profile_id, profile, derived, type(rough)),
         "picture": sketch(profile, rough, force, place),
         "plots": plots(profile, rough),
