@@ -117,7 +117,7 @@ def state_near(
     """
     share, value, last = 4.0 / np.pi * (sigma_0 / E_star), dgamma / sigma_0, WITHIN * largest
     lifted = 2.0 / np.pi * growth * a
-    q, low, high = np.minimum(start, last), 0.0 * start, last
+    q, low, high = np.minimum(start, last), 0.0 * start, last + 0.0 * start
     for _ in range(LOOKS):
         c, angle = np.hypot(a, q), np.arctan2(q, a)
         gap, rate = opened(q, a)
@@ -340,7 +340,7 @@ def _between(near: Near, missed: Missed, low: State, high: State, holds: Array, 
     closer = (low.a > 0.0) & (-y_low < y) & (rate_low * (top - bottom) < STEEP * (y - y_low))
     here, best, left = _chosen(closer, low, high), high, holds
     x = np.where(closer, np.log(np.maximum(low.a / unit, LEAST)), 0.0)
-    y, rate, moved = np.where(closer, y_low, y), np.where(closer, rate_low, rate), unit
+    (y, rate), moved = missed(here), unit
     for number in range(STEPS):
         sure = (np.abs(y) >= here.doubt) | (np.abs(here.off) <= FINE)
         bottom = np.where(sure & (y < 0.0), np.maximum(bottom, x), bottom)

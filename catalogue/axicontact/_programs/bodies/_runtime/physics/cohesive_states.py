@@ -64,7 +64,7 @@ def state_near(opened, growth, loaded, start, a, control, E_star, dgamma, sigma_
     """
     share, value, last = (4.0 / np.pi * (sigma_0 / E_star), dgamma / sigma_0, WITHIN * largest)
     lifted = 2.0 / np.pi * growth * a
-    q, low, high = (np.minimum(start, last), 0.0 * start, last)
+    q, low, high = (np.minimum(start, last), 0.0 * start, last + 0.0 * start)
     for _ in range(LOOKS):
         c, angle = (np.hypot(a, q), np.arctan2(q, a))
         gap, rate = opened(q, a)
@@ -275,7 +275,7 @@ def _between(near, missed, low, high, holds, exact=False):
     closer = (low.a > 0.0) & (-y_low < y) & (rate_low * (top - bottom) < STEEP * (y - y_low))
     here, best, left = (_chosen(closer, low, high), high, holds)
     x = np.log(np.maximum(low.a / unit, LEAST)) if closer else 0.0
-    y, rate, moved = (y_low if closer else y, rate_low if closer else rate, unit)
+    (y, rate), moved = (missed(here), unit)
     for number in range(STEPS):
         sure = (np.abs(y) >= here.doubt) | (np.abs(here.off) <= FINE)
         bottom = np.maximum(bottom, x) if sure & (y < 0.0) else bottom
