@@ -142,7 +142,7 @@ def misplaced(entry: Entry, conditions: Sequence[str], places: Sequence[Place]) 
         return
     known: dict[tuple[int | None, tuple[bool, ...]], tuple[bool, ...]] = {(None, ()): (False,) * len(conditions)}
     for place in places:
-        env = {name_in_print(s): mp.mpf(value) for s, value in place.values.items() if nt.known(s.name)}
+        env = {name_in_print(s): mp.mpf(value) for s, value in place.values.items() if s.is_Symbol and nt.known(s.name)}
         found = tuple(holds(condition, env) for condition in conditions)
         wanted = known.setdefault((place.case, place.parts), found)
         if found != wanted or sum(found) > 1 or (place.case is not None and not any(found)):
