@@ -63,7 +63,7 @@ def _states(writer: Writer, opened: str) -> None:
     given = ", ".join(needs)
     writer.rule("_growth", ["a"], writer.geometry, _growth(writer), "Rate g'(a) of the depth of the normal contact.")
     first = f"first = _zone(np.zeros_like(sigma_0), {given})"
-    writer.rule("_radii", [], needs, [first, *_radii(writer, opened)], returns="Stretch")
+    writer.rule("_radii", [], needs, [first, *_radii(writer)], returns="Stretch")
     closing = ", ".join(filter(None, ["start, a, control, E_star, dgamma, sigma_0", _largest(writer)]))
     state = [
         'load = _force_of if control == "force" else _depth_of',
@@ -104,7 +104,7 @@ def _states(writer: Writer, opened: str) -> None:
         writer.rule(f"_{inverse.function}", [field], needs, lines)
 
 
-def _radii(writer: Writer, opened: str) -> list[str]:
+def _radii(writer: Writer) -> list[str]:
     """The radii that separate the minima: by the first zone, and by a break or the end of the profile."""
     profile, end = writer.profile, _end(writer)
     if border := _border(writer):
@@ -158,7 +158,7 @@ def _growth(writer: Writer) -> list[str]:
     profile, slopes, end = writer.profile, writer.normal, _end(writer)
 
     def slope(name: str, root: str, at: str = "a") -> str:
-        return f"normal.{name}({', '.join([at, *(root if own == 'root' else own for own in slopes[name][1:])])})"
+        return f"normal.{name}({_with_root(slopes[name], root, at)})"
 
     if not profile.breaks:
         growth = slope("_slope", "" if end is None else f"difference_root({python(end)}, a)")
@@ -211,8 +211,8 @@ def _opened(writer: Writer) -> list[str]:
     return [f"return opening_beside({slope}, q, a, {python(sp.sqrt(beside))})"]
 
 
-def _with_root(taken: Sequence[str], root: str) -> str:
-    return ", ".join(["t", *(root if name == "root" else name for name in taken[1:])])
+def _with_root(taken: Sequence[str], root: str, at: str = "t") -> str:
+    return ", ".join([at, *(root if name == "root" else name for name in taken[1:])])
 
 
 def interface(writer: Writer) -> None:
