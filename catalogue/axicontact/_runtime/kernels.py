@@ -527,3 +527,6 @@ OUTSIDE_6 = (
     ),
     0.8571428571428571,
 )
+
+# where the level of ARC_NEAR is greatest, how far beyond the first one goes, and the level there
+ARC_PEAK, ARC_END, ARC_BEND = 1.7179204967675554, 0.8, 0.03812728612374059

@@ -175,6 +175,13 @@ def arc_peak() -> mp.mpf:
         return mp.findroot(lambda y: 3 * mp.tanh(y) - (3 * mp.tanh(y) ** 2 - 1) * y, 1.7)
 
 
+@cache
+def arc_bend() -> mp.mpf:
+    """The level where the first kernel ends."""
+    with mp.workdps(80):
+        return arc_level(arc_peak() + ARC_END)
+
+
 def arc_near(v: mp.mpf) -> mp.mpf:
     """How far the place of an equal level lies below that at v beyond the peak, over v."""
     y = arc_peak() + v
@@ -183,7 +190,7 @@ def arc_near(v: mp.mpf) -> mp.mpf:
 
 def arc_far(v: mp.mpf) -> mp.mpf:
     """The place over what the level falls short of that where the first kernel ends."""
-    return _place_of(arc_level(arc_peak() + ARC_END) - v)
+    return _place_of(arc_bend() - v)
 
 
 def _place_of(level: mp.mpf) -> mp.mpf:
@@ -211,7 +218,7 @@ KERNELS: dict[str, tuple[str, Callable[[mp.mpf], mp.mpf], float]] = {
     ),
     "PEAK_LARGE": ("the same over 1 - x, x >= 1/2", lambda v: peak(1.0, v), 0.5),
     "ARC_NEAR": ("the difference of two y of equal (y tanh(y) - 1)/cosh(y)**2 over y - 1.71792", arc_near, ARC_END),
-    "ARC_FAR": ("the lesser y over what that level falls short of its value at 2.51792", arc_far, 0.03812728612374059),
+    "ARC_FAR": ("the lesser y over what that level falls short of its value at 2.51792", arc_far, float(arc_bend())),
     "DAWSON": ("x/D(x), x <= 25/16", dawson, (25 / 16) ** 2),
 } | {
     name: (words, function, end)
@@ -265,7 +272,9 @@ def kernels_source() -> str:
         kernel = fit(partial(_rest, function, start), end, share=share)
         lines += ["", f"# {words}", f"{name} = (", *_column(kernel.top), *_column(kernel.bottom)]
         lines += [f"    {float(start)!r},", ")"]
-    return "\n".join([*lines, ""])
+    places = ", ".join(repr(float(x)) for x in (arc_peak(), ARC_END, arc_bend()))
+    lines += ["", "# where the level of ARC_NEAR is greatest, how far beyond the first one goes, and the level there"]
+    return "\n".join([*lines, f"ARC_PEAK, ARC_END, ARC_BEND = {places}", ""])
 
 
 def _rest(function: Callable[[mp.mpf], mp.mpf], start: mp.mpf, v: mp.mpf) -> mp.mpf:

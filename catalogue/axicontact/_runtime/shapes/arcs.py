@@ -11,7 +11,7 @@ import numpy as np
 from ..functions import rational
 from ..integrals import difference_root
 from ..interface import Array
-from ..kernels import ARC_FAR, ARC_NEAR, LEGENDRE_CHI
+from ..kernels import ARC_BEND, ARC_END, ARC_FAR, ARC_NEAR, ARC_PEAK, LEGENDRE_CHI
 from ..rules import pressure_integral_tanh
 
 END = 0.7
@@ -43,15 +43,11 @@ def _arc_rate(t: Array, root: Array) -> Array:
     return np.arcsinh(t / root)
 
 
-PEAK, NEAR, LEVEL = 1.7179204967675554, 0.8, 0.03812728612374059
-"""Where the ring leaves the axis; how far beyond the first kernel goes, and the level where the second one begins."""
-
-
 def arc_peak_radius(a: Array, R: Array) -> Array:
     """r_max for a <= R."""
     y, root = _angle(a, R)
     share = np.sinh(_lower_angle(y)) * root / a
-    return np.where(y > PEAK, a * np.sqrt((1.0 - share) * (1.0 + share)), 0.0)
+    return np.where(y > ARC_PEAK, a * np.sqrt((1.0 - share) * (1.0 + share)), 0.0)
 
 
 def arc_peak_pressure(a: Array, R: Array) -> Array:
@@ -70,7 +66,7 @@ def _angle(a: Array, R: Array) -> tuple[Array, Array]:
 
 def _lower_angle(y: Array) -> Array:
     """The other angle of the same level; y itself up to the peak."""
-    beyond = np.maximum(y - PEAK, 0.0)
-    near = np.minimum(beyond, NEAR)
-    short = np.maximum(LEVEL - (y * np.tanh(y) - 1.0) / np.cosh(y) ** 2, 0.0)
-    return np.where(beyond > NEAR, rational(short, *ARC_FAR), y - near * rational(near, *ARC_NEAR))
+    beyond = np.maximum(y - ARC_PEAK, 0.0)
+    near = np.minimum(beyond, ARC_END)
+    short = np.maximum(ARC_BEND - (y * np.tanh(y) - 1.0) / np.cosh(y) ** 2, 0.0)
+    return np.where(beyond > ARC_END, rational(short, *ARC_FAR), y - near * rational(near, *ARC_NEAR))

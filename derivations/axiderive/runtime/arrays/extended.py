@@ -137,7 +137,8 @@ def _expm1(x: Extended) -> Extended:
 
 
 def _arctan2(y: Extended, x: Extended) -> Extended:
-    return _odd(np.arctan)(_divide(y, x))
+    """The angle of sides that are not negative; that of (0, 0) is 0, as everywhere."""
+    return _where(y.mantissa == 0.0, y, _odd(np.arctan)(_divide(y, x)))
 
 
 def _plain(function: Any) -> Callable[[Extended], Extended]:
