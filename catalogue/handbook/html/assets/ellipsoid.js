@@ -721,11 +721,11 @@ const _angle = (a, R) => {
   return [math.minimum(Math.asinh((a / root)), 40.0), root];
 };
 
-const PEAK = 1.7179204967675554;
+const ARC_PEAK = 1.7179204967675554;
 
-const NEAR = 0.8;
+const ARC_END = 0.8;
 
-const LEVEL = 0.03812728612374059;
+const ARC_BEND = 0.03812728612374059;
 
 const ARC_FAR = [[1.329889984051219, 85.36998480516608, 1923.074008763512, 17876.90896541072, 59207.63481260677, 18485.08434122529, (-53195.64116483364)], [1.0, 67.52528901476805, 1640.3784958292124, 17299.016817433552, 74691.14995817501, 93084.84736709161, (-9809.489595170257)]];
 
@@ -733,17 +733,17 @@ const ARC_NEAR = [[2.0, 9.5189968828819, 16.571545092002584, 13.482272517053174,
 
 const _lower_angle = (y) => {
   let beyond, near, short;
-  beyond = math.maximum((y - PEAK), 0.0);
-  near = math.minimum(beyond, NEAR);
-  short = math.maximum((LEVEL - (((y * Math.tanh(y)) - 1.0) / Math.pow(Math.cosh(y), 2))), 0.0);
-  return math.where((beyond > NEAR), rational(short, ...ARC_FAR), (y - (near * rational(near, ...ARC_NEAR))));
+  beyond = math.maximum((y - ARC_PEAK), 0.0);
+  near = math.minimum(beyond, ARC_END);
+  short = math.maximum((ARC_BEND - (((y * Math.tanh(y)) - 1.0) / Math.pow(Math.cosh(y), 2))), 0.0);
+  return math.where((beyond > ARC_END), rational(short, ...ARC_FAR), (y - (near * rational(near, ...ARC_NEAR))));
 };
 
 const arc_peak_radius = (a, R) => {
   let root, share, y;
   [y, root] = _angle(a, R);
   share = ((Math.sinh(_lower_angle(y)) * root) / a);
-  return math.where((y > PEAK), (a * Math.sqrt(((1.0 - share) * (1.0 + share)))), 0.0);
+  return math.where((y > ARC_PEAK), (a * Math.sqrt(((1.0 - share) * (1.0 + share)))), 0.0);
 };
 
 const END_of_arcs = 0.7;
