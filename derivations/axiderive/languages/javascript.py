@@ -14,7 +14,7 @@ from typing import TypeVar
 
 from .public import FORMULAS, PROGRAMS
 from .reach import KEPT, PLAIN, PRODUCTS, Module, Name, NoProgramError, Package
-from .searches import OWN, RADII, SAMPLES, radii, springs
+from .searches import OWN, RADII, RELAXATION, SAMPLES, radii, springs
 
 Part = TypeVar("Part")
 HELPERS = Path(__file__).with_name("numbers.js")
@@ -151,7 +151,9 @@ class Script:
             values = f"[{', '.join(map(repr, radii(module.text, name)))}]"
             text = f"(length = 1.0) => {values}.map((x) => x * length)"
         elif name == "springs":
-            pairs, under = springs(module.text)
+            relaxation = self.package.module(RELAXATION)
+            assert relaxation is not None
+            pairs, under = springs(relaxation.text)
             values = ", ".join(f"[{x!r}, {weight!r}]" for x, weight in pairs)
             text = f"math.springs([{values}], {under!r})"
         elif name == "branches":

@@ -20,8 +20,7 @@ RADII = ("decades", "radii_below", "radii_to", "radii_beyond", "radii_around")
 """Those of a length, and of none."""
 OWN: dict[Name, str] = {
     **{(BRANCHES, name): name for name in (*RADII, "radii_of_waves", "halfway")},
-    **{(SINGLE, name): name for name in ("branches", "lowest")},
-    (RELAXATION, "springs"): "springs",
+    **{(SINGLE, name): name for name in ("branches", "lowest", "springs")},
 }
 """What these functions are called there."""
 SAMPLES = "Samples"
@@ -48,6 +47,6 @@ def radii(text: str, name: str) -> list[float]:
 
 
 def springs(text: str) -> tuple[list[tuple[float, float]], float]:
-    """Nodes and weights of the rule over springs from the module of that text, and the weight below the first."""
+    """Nodes and weights of the rule over springs from the text of RELAXATION, and the weight below the first."""
     space = _bound(text)
     return list(zip(space["SHARES"].tolist(), space["WEIGHTS"].tolist(), strict=True)), space["UNDER"]

@@ -103,7 +103,7 @@ def _force_back(writer: Writer, law: Law, material: list[str]) -> list[str]:
         lines, degree = _degree(power)
         kept = f"kept_{law.name}(t, t_1, {since}, {degree}, {passed})"
     ramp = f"_ramp_force_{law.name}(t, {own})"
-    return [*lines, f"back = {force} * {kept}", f"return np.where(t > t_m, np.where(t_1 > 0.0, back, 0.0), {ramp})"]
+    return [*lines, f"return np.where(t > t_m, np.where(t_1 > 0.0, {force} * {kept}, 0.0), {ramp})"]
 
 
 RETURNED = (
@@ -124,9 +124,14 @@ def _degree(m: sp.Expr) -> tuple[list[str], str]:
 def _springs(writer: Writer, law: Law, needs: list[str], passed: str) -> None:
     """Adds what springs bear that were pressed in up to t_1, in stretches that end at the breaks of the profile."""
     profile, left = writer.profile, f"left_{law.name}"
+    terms, depth = list[str](), writer.call("_depth", "x")
+    if writer.summed:
+        # what does not change with x stands in front
+        terms = ["terms = [(j, depth_over_height(j) * A_j) for j, A_j in enumerate(A, 1)]"]
+        depth = "sum(A_j * x**j for j, A_j in terms)"
     lines = [
-        f"a = {writer.call('_radius_from_depth', 'v * t_1')}", "", "def left(x: Array) -> Array:",
-        f"    pressed = t_1 - {writer.call('_depth', 'x')} / v",
+        f"a = {writer.call('_radius_from_depth', 'v * t_1')}", *terms, "", "def left(x: Array) -> Array:",
+        f"    pressed = t_1 - {depth} / v",
         f"    return {left}(np.maximum(pressed, 0.0), since, {passed})", "",
     ]  # fmt: skip
     ends = ["0.0 * a", *(f"np.minimum(a, {b})" for b in profile.breaks), "a"]

@@ -37,6 +37,7 @@ COUNTERPARTS = {
     "_runtime.functions": "_runtime.plain",
     "_runtime.physics.branches": "_runtime.physics.single",
     "_runtime.physics.cohesive": "_runtime.plain",
+    "_runtime.physics.relaxation": "_runtime.physics.single",
     "_runtime.graded.rules": "_runtime.graded.single",
     "_runtime.graded.waves": "_runtime.graded.single",
 }

@@ -30,6 +30,8 @@ NAMES = {
     "square": "{0} * {0}",
 }  # fmt: skip
 TWICE = ("minimum", "maximum", "square")
+ENDS = (("r", "a"), ("x", "a"), ("t", "t_h"))
+"""Arguments and what they are above where a result may be nothing; in a hold a force may be too small for a double."""
 DEEPEST = 24
 """Operations inside one another on one line; Python refuses two hundred parentheses."""
 
@@ -71,12 +73,12 @@ def function(
 
 
 def settled(arguments: Iterable[str], *, vanishing: bool = False) -> list[str]:
-    """The lines for a result that is no number, or nothing outside the contact, where no argument is far out.
+    """The lines for a result that is no number, or nothing beyond the contact, where no argument is far out.
 
     Of what may be `vanishing`, as the radius at which surfaces part, nothing is a result like any other.
     """
     known = [*arguments]
-    outside = [f" or value == 0.0 and {own} > a" for own in ("r", "x") if {own, "a"}.issubset(known)]
+    outside = [f" or value == 0.0 and {own} > {end}" for own, end in ENDS if {own, end}.issubset(known)]
     outside += [" or value == 0.0"] * vanishing
     return [f"if ({''.join(['value != value', *outside])}) and {ORDINARY}({', '.join(known)}):", "    return value"]
 
