@@ -63,7 +63,9 @@ def _states(writer: Writer, opened: str) -> None:
     given = ", ".join(needs)
     writer.rule("_growth", ["a"], writer.geometry, _growth(writer), "Rate g'(a) of the depth of the normal contact.")
     first = f"first = _zone(np.zeros_like(sigma_0), {given})"
-    writer.rule("_radii", [], needs, [first, *_radii(writer)], returns="Stretch")
+    # searches start from about there
+    about = ["a = np.zeros_like(sigma_0)", *_root(writer, opened, "first = {}", "zone_like")]
+    writer.rule("_radii", [], needs, [*about, *_radii(writer)], returns="Stretch")
     closing = ", ".join(filter(None, ["start, a, control, E_star, dgamma, sigma_0", _largest(writer)]))
     state = [
         'load = _force_of if control == "force" else _depth_of',
@@ -136,15 +138,15 @@ def _largest(writer: Writer) -> str:
     return "" if end is None else f"difference_root({python(end)}, a)"
 
 
-def _root(writer: Writer, opened: str) -> list[str]:
-    """The lines of the root."""
-    given, largest = "E_star, dgamma, sigma_0", _largest(writer)
+def _root(writer: Writer, opened: str, line: str = "return {}", rule: str = "root_of_zone") -> list[str]:
+    """The lines of the root, the last of which is one with it."""
+    given, largest = f"{opened}, a, E_star, dgamma, sigma_0", _largest(writer)
     if not largest:
-        return [f"return root_of_zone({opened}, a, {given})"]
+        return [line.format(f"{rule}({given})")]
     return [
         f"largest = {largest}",
-        f"a = zone_within({opened}, a, {given}, largest)",
-        f"return np.where(np.isnan(a), np.nan, root_of_zone({opened}, a, {given}, largest))",
+        f"a = zone_within({given}, largest)",
+        line.format(f"np.where(np.isnan(a), np.nan, {rule}({given}, largest))"),
     ]
 
 
