@@ -211,10 +211,10 @@ def zone_within(opened: Opening, a: Array, E_star: Array, dgamma: Array, sigma_0
     return np.where(reached, a, np.nan)
 
 
-def root_of_zone(
+def zone_like(
     opened: Opening, a: Array, E_star: Array, dgamma: Array, sigma_0: Array, largest: Array | float = np.inf
 ) -> Array:
-    """The q at which the gap at c is dgamma/sigma_0."""
+    """About the q at which the gap at c is dgamma/sigma_0."""
     # the gap of the ring alone is nearly q**2/(2 a + q/EMPTY) of its load
     part = 0.25 * np.pi * (dgamma / sigma_0) * (E_star / sigma_0)
     wide = 0.5 / EMPTY * part
@@ -229,18 +229,28 @@ def root_of_zone(
     blend = 0.5 * (grown + ring)
     own = ring_of_zone(start, a, E_star, sigma_0) * (sigma_0 / dgamma)
     whole = (gap * (sigma_0 / dgamma)) ** (blend / grown) + own ** (blend / ring)
-    start = np.minimum(start * whole ** (-1.0 / blend), WITHIN * largest)
-    load, value = 4.0 / np.pi * (sigma_0 / E_star), dgamma / sigma_0
+    return np.minimum(start * whole ** (-1.0 / blend), WITHIN * largest)
+
+
+def root_of_zone(
+    opened: Opening, a: Array, E_star: Array, dgamma: Array, sigma_0: Array, largest: Array | float = np.inf
+) -> Array:
+    """That q."""
+    start = zone_like(opened, a, E_star, dgamma, sigma_0, largest)
+    share, value = 4.0 / np.pi * (sigma_0 / E_star), dgamma / sigma_0
 
     def curve(q: Array) -> tuple[Array, Array]:
-        c, angle = np.hypot(a, q), np.arctan2(q, a)
-        gap, rate = opened(q, a)
-        # 1 - a/c
-        short = q / c * (q / (c + a))
-        whole = gap + load * q * (angle - q / (c + a))
-        return whole, q / whole * (q / c) * (rate + load * (angle / (q / c) - short))
+        whole, rise = with_ring(*opened(q, a), q, a, share)
+        return whole, rise / whole
 
     return inverse(curve, value, start, EXPONENTS, largest, smooth=True, noise=CLOSE * value)
+
+
+def with_ring(gap: Array, rate: Array, q: Array, a: Array, share: Array) -> tuple[Array, Array]:
+    """The gap at c with a share of what the ring adds under a unit load, and its rate with ln q."""
+    c, angle = np.hypot(a, q), np.arctan2(q, a)
+    sine, rest = q / c, q / (c + a)
+    return gap + share * q * (angle - rest), q * sine * (rate + share * (angle / sine - sine * rest))
 
 
 def ring_of_zone(q: Array, a: Array, E_star: Array, sigma_0: Array) -> Array:

@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..interface import Array
-from .cohesive import WITHIN, Opening
+from .cohesive import WITHIN, Opening, with_ring
 
 CORNER = (0.5, 0.9, 1.0, 1.01, 1.1, 1.5, 3.0)
 BUMP = (0.1, 0.25, 0.4, 0.55, 0.7, 0.85, 0.95)
@@ -121,9 +121,7 @@ def state_near(
     for _ in range(LOOKS):
         c, angle = np.hypot(a, q), np.arctan2(q, a)
         gap, rate = opened(q, a)
-        sine, short = q / c, q / c * (q / (c + a))
-        whole = gap + share * q * (angle - q / (c + a))
-        rise = q * sine * (rate + share * (angle / sine - short))
+        whole, rise = with_ring(gap, rate, q, a, share)
         short_of = (value - whole) / whole
         nearly = np.abs(short_of) < 0.5
         off = np.where(nearly, np.log1p(np.where(nearly, short_of, 0.0)), np.log(value / whole)) * whole / rise
@@ -144,13 +142,14 @@ def state_near(
         q = np.where(left, np.where((ahead > low) & (ahead <= high), ahead, halved), q)
     reached = (q < last) | (off <= 0.0)
     power = np.minimum(np.maximum(degree, DEGREES[0]), DEGREES[1]) - 1.0
+    sine = q / c
     along = sine * sine * (power + edge)
     gap = gap * np.exp(off * np.where(known, q * sine * rate / np.where(known, gap, 1.0), 0.0))
     rate = rate * np.exp(np.minimum(np.maximum(off * along, -FURTHEST), FURTHEST))
     q = q * np.exp(off)
     c, angle = np.hypot(a, q), np.arctan2(q, a)
     sine, cosine, short = q / c, a / c, q / c * (q / (c + a))
-    rise = q * sine * (rate + share * (angle / sine - short))
+    _, rise = with_ring(gap, rate, q, a, share)
     # what the gap gains with a where q stays: the difference of two large numbers in one form or in the other
     gained = np.where(q < a, degree * gap - q * sine * rate, a * cosine * rate - lifted * angle)
     widening = (share * a * cosine * short - gained) / rise

@@ -1,4 +1,4 @@
-"""The search for stable branches with plain numbers: steps one by one, on the grid that was kept for the geometry."""
+"""With plain numbers: the search for stable branches, step by step on the grid kept for the geometry, and springs."""
 
 from __future__ import annotations
 
@@ -10,8 +10,10 @@ import numpy as np
 from ..interface import KEPT
 from .branches import CLOSEST, FAR, STEPS, Branches, Samples
 from .branches import halfway as halfway_of_arrays
+from .relaxation import SHARES, UNDER, WEIGHTS
 
 Load = Callable[[float], float]
+NODES = list(zip(SHARES.tolist(), WEIGHTS.tolist(), strict=True))
 
 
 def branches(steepness: Load, sampled: Samples, level: float) -> Branches:
@@ -85,3 +87,11 @@ def lowest(found: Branches, load: Load) -> float:
     loads = [load(first) for first in found.first]
     known = [own for own in loads if own == own]
     return float(found.first[loads.index(min(known))]) if known else math.nan
+
+
+def springs(left: Load, low: float, high: float) -> float:
+    """The integral of what springs bear from `low` to `high`, by the rule for arrays."""
+    length = high - low
+    if length == 0.0:
+        return 0.0
+    return length * (math.fsum([weight * left(low + length * share) for share, weight in NODES]) + UNDER * left(low))
