@@ -40,7 +40,7 @@ COMPLETE = {
 CONCAVE = {"minimum_depth", "minimum_force", "zero_radius"}
 PEAKED = (
     *("paraboloid", "rounded_cone", "hyperboloid", "quartic", "sextic", "rounded_punch", "power_law"),
-    *("sphere", "ellipsoid"),
+    *("sphere", "ellipsoid", "gaussian"),
 )
 ADHESIVE = {
     "retraction", "depth", "force", "pressure", "displacement", "radius_from_depth", "radius_from_force", "pull_off",

@@ -17,6 +17,7 @@ from scenes import composed_from, problems, run_plainly
 
 from axicontact.normal import (
     ellipsoid,
+    gaussian,
     hyperboloid,
     paraboloid,
     power_law,
@@ -266,7 +267,7 @@ def test_arrays_broadcast_and_what_is_no_contact_is_no_number() -> None:
 def test_it_is_derived_on_the_axis_or_where_one_ring_alone_has_it() -> None:
     found = {name: derive(load(name)) for name in COMPACT_NAMES}
     known = {name: all(case.expr == 0 for case in own["rp"].cases) for name, own in found.items() if "rp" in own}
-    assert {name for name in known if known[name]} == {"paraboloid", "rounded_cone", "hyperboloid"}
+    assert {name for name in known if known[name]} == {"paraboloid", "rounded_cone", "hyperboloid", "gaussian"}
     assert known.keys() - {*ON_AXIS} == {"quartic", "sextic", "power_law", "rounded_punch", "sphere", "ellipsoid"}
 
 
@@ -274,6 +275,7 @@ ON_AXIS: dict[str, tuple[Any, dict[str, float], Callable[[Any], Any], list[float
     "paraboloid": (paraboloid, {"R": 1.3}, lambda r: r / 1.3, []),
     "rounded_cone": (rounded_cone, {"theta": 0.4, "b": 0.5}, lambda r: mp.tan(0.4) * min(r / 0.5, 1), [0.5]),
     "hyperboloid": (hyperboloid, {"theta": 0.4, "b": 0.5}, lambda r: mp.tan(0.4) * r / mp.hypot(r, 0.5), []),
+    "gaussian": (gaussian, {"h": 0.3, "s": 1.1}, lambda r: 0.6 * r / 1.21 * mp.exp(-((r / 1.1) ** 2)), []),
 }
 """Modules, parameters, f' and where it bends."""
 
@@ -301,6 +303,8 @@ def test_there_is_none_where_there_is_no_contact() -> None:
     for own in found:
         assert np.isnan(own).tolist() == [False, False, True, True]
     assert (found.pressure[0], found.radius[0]) == (0.0, 0.0)
+    beyond = gaussian.peak_pressure(np.array([1.5, 1.51]), h=0.3, s=1.0, E_star=2.5)
+    assert [np.isnan(own).tolist() for own in beyond] == [[False, True]] * 2
 
 
 @pytest.mark.parametrize(
@@ -334,6 +338,19 @@ def test_the_certificates_and_the_search_hold() -> None:
         profile, entries = load(name), derive(load(name))
         assert all(certify(profile, entries, suffix).proved for suffix in ("rp", "pp"))
     assert quadrature.check(Comparison(profile, entries, digits=20, points=2), "pp").passed
+
+
+def test_the_axis_under_a_bump_is_proved_without_a_closed_pressure() -> None:
+    """Twice, and with another place not; the pressure there is an integral, which the search measures."""
+    profile, entries = load("gaussian"), derive(load("gaussian"))
+    wrong = moved(entries, "rp", lambda radius: nt.s / 5)
+    for own, shown in ((entries, True), (wrong, False)):
+        assert certify(profile, own, "rp").proved == shown
+        assert (Problem(record("gaussian", own)).prove("rp") == "") == shown
+    assert entries["pp"].status == entries["p"].status == "integral"
+    for share, passed in ((1, True), (1 + sp.Rational(1, 10**12), False)):
+        scaled = moved(entries, "pp", lambda pressure, share=share: pressure * share)
+        assert quadrature.check(Comparison(profile, scaled, digits=20, points=1), "pp").passed == passed
 
 
 def moved(entries: dict[str, Entry], suffix: str, change: Callable[[sp.Expr], sp.Expr]) -> dict[str, Entry]:

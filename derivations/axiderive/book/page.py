@@ -183,10 +183,10 @@ def derivation(profile_id: str, profile: Profile, entries: Mapping[str, Entry]) 
             f"displacement (11.26) are then one integral each."
         )
     needed = _functions(entries)
-    open_ends = [e.suffix for e in entries.values() if e.status == "integral"]
+    open_ends = [f"${e.quantity.left}$" for e in entries.values() if e.status == "integral"]
     text = start + (f" The results need {_listed(needed)}." if needed else " All results are elementary.")
     if open_ends:
-        names = " and ".join(f"${s}(r)$" for s in open_ends)
+        names = _listed(open_ends)
         text += f" No closed form of {names} in standard functions was found; the integral that remains is regular."
     return text
 

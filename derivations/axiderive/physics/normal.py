@@ -329,12 +329,12 @@ class _Compact:
         return known + scale * sp.Integral(kernel, (psi, sp.asin(b / r), sp.asin(a / r)))
 
     def _greatest(self, depth: tuple[Case, ...], status: Status, pressure: tuple[Case, ...]) -> dict[str, Entry]:
-        closed = self.medium.k == 0 and status == "closed"
-        found = peak.derive(self.profile, depth, pressure) if closed else None
+        known = self.medium.k == 0 and (status == "closed" or peak.has_falling_curvature(self.profile))
+        found = peak.derive(self.profile, depth, pressure) if known else None
         if found is None:
             return {}
-        status, radius, greatest = found
-        return {"rp": self._entry("rp", status, radius), "pp": self._entry("pp", "closed", greatest)}
+        placed, radius, greatest = found
+        return {"rp": self._entry("rp", placed, radius), "pp": self._entry("pp", status, greatest)}
 
     def _inverses(self, depth: tuple[Case, ...], force: tuple[Case, ...]) -> dict[str, Entry]:
         radius_d, radius_F = closed_inverse(depth, d), closed_inverse(force, F)

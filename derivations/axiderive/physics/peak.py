@@ -5,7 +5,8 @@ a paraboloid and a sum, with positive factors, of faces f = min(r, c)^2/2 with c
 
     E*/pi [2 sqrt(a^2 - r^2) - int_c^a (t^2 + s^2)/(s sqrt(t^2 - r^2)) dt],    s^2 = t^2 - c^2,
 
-for r < c, which falls, from a positive value on the axis; beyond c it is negative, as 2 < s/t + t/s.
+for r < c, which falls, from a positive value on the axis; beyond c it is negative, as 2 < s/t + t/s. A closed pressure
+is not needed: the one under a Gaussian bump is an integral, on the axis too.
 
 Four kinds of contact have a ring that is proved to be the only one: a pressure that is a polynomial of r^2 times
 sqrt(a^2 - r^2), any power of r, the sphere, and the flat face with a rounded edge, whose pressure rises up to the
@@ -29,10 +30,12 @@ grows. Psi'(z) = 3 z - (3 z^2 - 1) artanh z, over z artanh z, falls from infinit
 z = 0.93761 and falls to zero beyond. Hence the bracket has no zero below that radius, and one beyond. The ellipsoid is
 that sphere stretched along its axis.
 
-Some have a greatest pressure that is no entry. That of a Gaussian bump is on the axis, and an integral. The curved
-punch with a rounded edge always has a ring beyond b, with one proof for both, but where that is narrow or flat more
-pressure on the axis: which of the two is greater only their values say. A sum of powers may have more than one place:
-of r^2 and r^6, where the latter brings 0.7 of g'(a), the axis and a ring.
+Some have a greatest pressure that is no entry. Under the curved punch with a rounded edge dp/dr has no bound at b:
+beyond it there always is a ring, and with R2/R1 above a level the pressure of the axis is a second maximum, the
+greater one above a higher level. For b/a = 0.2, 0.5, 0.8, 0.95 the levels are 2.0238, 0.37503, 0.055341, 0.0056172 and
+3.2692, 0.76662, 0.17568, 0.034274. The first is closed, the second no equation of its own but a ring of equal pressure,
+at 0.21826, 0.53665, 0.83075, 0.96137 of a; the place of the greatest pressure leaps there from the axis to that ring.
+A sum of powers may have more than one place: of r^2 and r^6, where the latter brings 0.7 of g'(a), the axis and a ring.
 """
 
 from __future__ import annotations
@@ -54,7 +57,7 @@ Found = tuple[Status, tuple[Case, ...], tuple[Case, ...]]
 
 
 def derive(profile: Profile, depth: tuple[Case, ...], pressure: tuple[Case, ...]) -> Found | None:
-    """Where the closed pressure is greatest and the pressure there; None where no rule gives them."""
+    """Where the pressure is greatest and the pressure there; None where no rule gives them, as for most integrals."""
     if has_falling_curvature(profile):
         return _on_axis(depth, pressure)
     if has_rounded_edge(profile):

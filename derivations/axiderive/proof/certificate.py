@@ -132,8 +132,10 @@ def _normal_prover(profile: Profile, entries: dict[str, Entry], medium: Medium) 
     if medium.graded:
         found, medium, bounds = graded.shifted(entries), graded.MEDIUM, graded.BOUNDS
     if profile.compact:
-        frames = frame.compact(profile, stated)
-        return Prover(entries, frames, COMPACT, lambda: Compact(profile, found, medium, bounds))
+        frames, rules = frame.compact(profile, stated), COMPACT
+        if "rp" in entries and all(case.expr == 0 for case in entries["rp"].cases):
+            rules = COMPACT | {"rp": (("d",), rings.greatest)}  # the axis is shown of the face, not of its pressure
+        return Prover(entries, frames, rules, lambda: Compact(profile, found, medium, bounds))
     frames = frame.complete(profile, stated)
     return Prover(entries, frames, COMPLETE, lambda: Complete(profile, found, medium, bounds))
 

@@ -30,7 +30,9 @@ def bodies(compact: Compact, functions: PrivateFunctions, entries: Mapping[str, 
         build(compact, functions, greatest)
         return
     if all(case.expr == 0 for case in ring.cases):
-        functions.add(RADIUS, ("a",), ["return np.zeros_like(a)"])
+        condition = compact.domain()
+        nothing = f"np.where({condition}, 0.0, np.nan)" if condition else "np.zeros_like(a)"
+        functions.add(RADIUS, ("a",), [f"return {nothing}"])
         middle = functions["pressure"].call("np.zeros_like(a)", "a")
         functions.add(greatest.quantity.function, ("a",), [f"return {middle}"])
         return
