@@ -24,6 +24,7 @@ from .._runtime.physics.cohesive import (
     sunk,
     tension_of_zone,
     work_of_zone,
+    zone_like,
     zone_within,
 )
 from .._runtime.physics.cohesive_states import (
@@ -654,7 +655,10 @@ def _growth(a: Array, h: Array, b: Array) -> Array:
 
 
 def _radii(h: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Stretch:
-    first = _zone(np.zeros_like(sigma_0), h, b, E_star, dgamma, sigma_0)
+    a = np.zeros_like(sigma_0)
+    largest = difference_root(b, a)
+    a = zone_within(partial(_opened, h=h, b=b), a, E_star, dgamma, sigma_0, largest)
+    first = np.where(np.isnan(a), np.nan, zone_like(partial(_opened, h=h, b=b), a, E_star, dgamma, sigma_0, largest))
     return radii_up_to(first, b)
 
 

@@ -25,6 +25,7 @@ from .._runtime.physics.cohesive import (
     sunk,
     tension_of_zone,
     work_of_zone,
+    zone_like,
     zone_within,
 )
 from .._runtime.physics.cohesive_states import (
@@ -657,7 +658,10 @@ def _growth(a: Array, h: Array, s: Array) -> Array:
 
 
 def _radii(h: Array, s: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Stretch:
-    first = _zone(np.zeros_like(sigma_0), h, s, E_star, dgamma, sigma_0)
+    a = np.zeros_like(sigma_0)
+    largest = difference_root(1.5019752682686114 * s, a)
+    a = zone_within(partial(_opened, h=h, s=s), a, E_star, dgamma, sigma_0, largest)
+    first = np.where(np.isnan(a), np.nan, zone_like(partial(_opened, h=h, s=s), a, E_star, dgamma, sigma_0, largest))
     return radii_on_bump(first, 1.5019752682686114 * s)
 
 

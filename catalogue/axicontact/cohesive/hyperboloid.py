@@ -24,6 +24,7 @@ from .._runtime.physics.cohesive import (
     sunk,
     tension_of_zone,
     work_of_zone,
+    zone_like,
 )
 from .._runtime.physics.cohesive_states import (
     State,
@@ -664,7 +665,8 @@ def _growth(a: Array, theta: Array, b: Array) -> Array:
 
 
 def _radii(theta: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Stretch:
-    first = _zone(np.zeros_like(sigma_0), theta, b, E_star, dgamma, sigma_0)
+    a = np.zeros_like(sigma_0)
+    first = zone_like(partial(_opened, theta=theta, b=b), a, E_star, dgamma, sigma_0)
     return radii(first)
 
 

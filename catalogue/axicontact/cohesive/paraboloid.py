@@ -25,6 +25,7 @@ from .._runtime.physics.cohesive import (
     sunk,
     tension_of_zone,
     work_of_zone,
+    zone_like,
 )
 from .._runtime.physics.cohesive_states import (
     State,
@@ -611,7 +612,8 @@ def _growth(a: Array, R: Array) -> Array:
 
 
 def _radii(R: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Stretch:
-    first = _zone(np.zeros_like(sigma_0), R, E_star, dgamma, sigma_0)
+    a = np.zeros_like(sigma_0)
+    first = zone_like(partial(_opened, R=R), a, E_star, dgamma, sigma_0)
     return radii(first)
 
 

@@ -35,6 +35,7 @@ from .._runtime.physics.cohesive import (
     sunk,
     tension_of_zone,
     work_of_zone,
+    zone_like,
 )
 from .._runtime.physics.cohesive_states import (
     State,
@@ -645,7 +646,8 @@ def _growth(a: Array, A: tuple[float, ...]) -> Array:
 
 
 def _radii(A: tuple[float, ...], E_star: Array, dgamma: Array, sigma_0: Array) -> Stretch:
-    first = _zone(np.zeros_like(sigma_0), A, E_star, dgamma, sigma_0)
+    a = np.zeros_like(sigma_0)
+    first = zone_like(partial(_opened, A=A), a, E_star, dgamma, sigma_0)
     return radii(first)
 
 

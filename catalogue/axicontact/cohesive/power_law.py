@@ -24,6 +24,7 @@ from .._runtime.physics.cohesive import (
     sunk,
     tension_of_zone,
     work_of_zone,
+    zone_like,
 )
 from .._runtime.physics.cohesive_states import (
     State,
@@ -659,7 +660,8 @@ def _growth(a: Array, A: Array, n: Array) -> Array:
 
 
 def _radii(A: Array, n: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Stretch:
-    first = _zone(np.zeros_like(sigma_0), A, n, E_star, dgamma, sigma_0)
+    a = np.zeros_like(sigma_0)
+    first = zone_like(partial(_opened, A=A, n=n), a, E_star, dgamma, sigma_0)
     return radii(first)
 
 

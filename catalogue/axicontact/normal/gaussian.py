@@ -14,7 +14,7 @@ from .._runtime.inverse import between, inverse_below
 from .._runtime.rules import displacement_integral, force_integral, pressure_integral
 from .._runtime.shapes.energy import energy_integral
 from .._runtime.shapes.load_within import load_within_integral
-from .._runtime.special import dawson
+from .._runtime.special import PeakPressure, dawson
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -28,6 +28,7 @@ __all__ = [
     "force_from_depth",
     "load_within",
     "mean_pressure",
+    "peak_pressure",
     "pressure",
     "profile",
     "radius_from_depth",
@@ -589,6 +590,56 @@ def depth_from_force(F: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayL
     return elementwise(_depth_from_force, F, h=h, s=s, E_star=E_star)
 
 
+def peak_pressure(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike) -> PeakPressure:
+    """Greatest pressure, and the radius of the ring on which it is.
+
+    p_peak = E_star*Integral((2*h*Dawson(u/s)/s + 2*h*u*(1 - 2*u*Dawson(u/s)/s)/s**2)/u, (u, 0, a))/pi
+    with Dawson: D(x) = exp(-x**2) int_0^x exp(u**2) du, with D' = 1 - 2 x D
+    r_peak = 0
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    h : array_like
+        Height of the bump [m], h > 0.
+    s : array_like
+        Width of the bump, the radius at which its height is down to 37 per cent [m], s > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    PeakPressure
+        Named tuple of pressure [Pa] and radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for h << s. Negative or NaN field values give NaN. Evaluated as an integral over the growing contact
+    by a Gauss-Legendre rule. Handbook: gaussian.rp, gaussian.pp.
+
+    References
+    ----------
+    chapter 11, equation (11.23); Popov, Heß & Willert 2019.
+
+    Examples
+    --------
+    >>> from axicontact.normal import gaussian
+    >>> value = gaussian.peak_pressure(1.0, h=0.7, s=1.0, E_star=1.0)
+    >>> round(value.pressure, 6)
+    0.606035
+    """
+    require(h=h, s=s, E_star=E_star)
+    pressure = elementwise(_peak_pressure, a, h=h, s=s, E_star=E_star)
+    radius = elementwise(_peak_radius, a, s=s, unused=(h, E_star))
+    return PeakPressure(pressure, radius)
+
+
 def energy(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike) -> Result:
     """Elastic energy, the work of pressing the indenter in.
 
@@ -733,6 +784,14 @@ def _stiffness(a: Array, s: Array, E_star: Array) -> Array:
 
 def _mean_pressure(a: Array, h: Array, s: Array, E_star: Array) -> Array:
     return np.where(a > 0.0, _force(a, h, s, E_star) / (np.pi * a**2), 0.0)
+
+
+def _peak_radius(a: Array, s: Array) -> Array:
+    return np.where(a <= 1.5019752682686114 * s, 0.0, np.nan)
+
+
+def _peak_pressure(a: Array, h: Array, s: Array, E_star: Array) -> Array:
+    return _pressure(np.zeros_like(a), a, h, s, E_star)
 
 
 def _energy(a: Array, h: Array, s: Array, E_star: Array) -> Array:

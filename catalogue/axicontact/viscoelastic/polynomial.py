@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from .._runtime.functions import depth_over_height
 from .._runtime.interface import Array, Result, elementwise, require, require_coefficients
 from .._runtime.physics.relaxation import (
     creep_kelvin_voigt,
@@ -1819,9 +1820,10 @@ def step_load_radius_power_creep(
 
 def _pressed_maxwell(t_1: Array, since: Array, v: Array, A: tuple[float, ...], E: Array, tau: Array) -> Array:
     a = normal._radius_from_depth(v * t_1, A)
+    terms = [(j, depth_over_height(j) * A_j) for j, A_j in enumerate(A, 1)]
 
     def left(x: Array) -> Array:
-        pressed = t_1 - normal._depth(x, A) / v
+        pressed = t_1 - sum(A_j * x**j for j, A_j in terms) / v
         return left_maxwell(np.maximum(pressed, 0.0), since, E, tau)
 
     return 2.0 * v * springs(left, 0.0 * a, a)
@@ -1891,8 +1893,11 @@ def _retract_force_kelvin_voigt(
 ) -> Array:
     lag = lag_kelvin_voigt(t, t_m, t_h, v_2 / v, E, eta)
     t_1 = earlier(t, t_m, lag)
-    back = normal._force_from_depth(v * t_1, A, 1.0) * E
-    return np.where(t > t_m, np.where(t_1 > 0.0, back, 0.0), _ramp_force_kelvin_voigt(t, v, A, E, eta))
+    return np.where(
+        t > t_m,
+        np.where(t_1 > 0.0, normal._force_from_depth(v * t_1, A, 1.0) * E, 0.0),
+        _ramp_force_kelvin_voigt(t, v, A, E, eta),
+    )
 
 
 def _contact_time_kelvin_voigt(v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, eta: Array) -> Array:
@@ -1903,9 +1908,10 @@ def _pressed_standard_solid(
     t_1: Array, since: Array, v: Array, A: tuple[float, ...], E_inf: Array, E_1: Array, tau: Array
 ) -> Array:
     a = normal._radius_from_depth(v * t_1, A)
+    terms = [(j, depth_over_height(j) * A_j) for j, A_j in enumerate(A, 1)]
 
     def left(x: Array) -> Array:
-        pressed = t_1 - normal._depth(x, A) / v
+        pressed = t_1 - sum(A_j * x**j for j, A_j in terms) / v
         return left_standard_solid(np.maximum(pressed, 0.0), since, E_inf, E_1, tau)
 
     return 2.0 * v * springs(left, 0.0 * a, a)
@@ -1957,9 +1963,10 @@ def _pressed_power_creep(
     t_1: Array, since: Array, v: Array, A: tuple[float, ...], E: Array, alpha: Array, t_0: Array
 ) -> Array:
     a = normal._radius_from_depth(v * t_1, A)
+    terms = [(j, depth_over_height(j) * A_j) for j, A_j in enumerate(A, 1)]
 
     def left(x: Array) -> Array:
-        pressed = t_1 - normal._depth(x, A) / v
+        pressed = t_1 - sum(A_j * x**j for j, A_j in terms) / v
         return left_power_creep(np.maximum(pressed, 0.0), since, E, alpha, t_0)
 
     return 2.0 * v * springs(left, 0.0 * a, a)

@@ -32,6 +32,7 @@ C18 = np.array(1.0)
 C19 = np.array(np.nan)
 C20 = np.array(1.5019752682686114)
 C21 = np.array(2.0)
+C22 = np.array(0.0)
 RULE_0 = rule(((inf, 32),))
 RULE_1 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
 
@@ -401,6 +402,85 @@ def mean_pressure(a, h, s, E_star):
     return None
 
 
+def peak_pressure(a, h, s, E_star):
+    if a.__class__ is h.__class__ is s.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (s > 1e-30) and (s < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            if a <= 1.5019752682686114 * s:
+                if 0.0 < a:
+                    v5 = a - 0.0
+                    v9 = sqrt((v5 if v5 > 0.0 or v5 != v5 else 0.0) * (a + 0.0))
+                    v18 = 2.0 * h / s
+                    v82 = []
+                    for node, weight in RULE_0(v9 / 1.0):
+                        v11 = node * v9
+                        v14 = sqrt(0.0 + v11 * v11)
+                        v15 = v14 / s
+                        v19 = v15 * v15
+                        v57 = ((((((((((((1.567077144036674e-13 * v19 + -3.840375691006307e-12) * v19 + 3.8015754128174666e-11) * v19 + -1.8423006918213799e-10) * v19 + 4.472469827763728e-10) * v19 + -1.1927516362741588e-09) * v19 + 6.225892246861416e-09) * v19 + 3.4413148480148793e-09) * v19 + -9.933344851449817e-08) * v19 + -5.127541706569233e-07) * v19 + 1.8119768160503268e-06) * v19 + 2.151585040783394e-05) * v19 + 4.61098799999374e-06) * v19
+                        v74 = v15 / ((((((v57 + -0.000684089638073553) * v19 + -0.002257495580553435) * v19 + 0.016931216930225715) * v19 + 0.17777777777782838) * v19 + 0.6666666666666656) * v19 + 1.0)
+                        v81 = v18 * (v74 + (1.0 - 2.0 * v74 * v15) * v15) / v14
+                        v82.append(weight * v81)
+                    v82 = fsum(v82) * v9
+                    value = E_star / 3.141592653589793 * v82
+                    if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                        return value
+                    if value != value and ordinary(a, h, s, E_star):
+                        return value
+                    return None
+                return 0.0
+            return nan
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def peak_radius(a, s, h=1.0, E_star=1.0):
+    if a.__class__ is s.__class__ is h.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (s > 1e-30) and (s < 1e+30) and (h > 1e-30) and (h < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            if a <= 1.5019752682686114 * s:
+                return 0.0
+            return nan
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_peak_radius_a(s):
+    v3 = (1.5019752682686114) * s
+    return (v3,)
+
+
+def block_peak_radius_a(out, a, v3, m0):
+    size = out.size
+    np.less_equal(a, v3, m0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    some7 = np.count_nonzero(m0)
+    if some7:
+        np.copyto(out, C22)
+    if some7 != size:
+        np.copyto(out, C19, where=~m0)
+
+
+def prepare_peak_radius_all():
+    return ()
+
+
+def block_peak_radius_all(out, a, s, t0, m0):
+    size = out.size
+    np.multiply(C20, s, t0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.less_equal(a, t0, m0)
+    some7 = np.count_nonzero(m0)
+    if some7:
+        np.copyto(out, C22)
+    if some7 != size:
+        np.copyto(out, C19, where=~m0)
+
+
 def pressure(r, a, h, s, E_star):
     if r.__class__ is a.__class__ is h.__class__ is s.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (s > 1e-30) and (s < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
         try:
@@ -559,6 +639,10 @@ BLOCKS = {
     ('_depth', 1, 'a', 'h', 's'): {
         ('a',): (('a',), prepare_depth_a, block_depth_a, 2, 1, (), False),
         ('a', 'h', 's'): (('a', 'h', 's'), prepare_depth_all, block_depth_all, 3, 1, (), False),
+    },
+    ('_peak_radius', 1, 'a', 's'): {
+        ('a',): (('a',), prepare_peak_radius_a, block_peak_radius_a, 0, 1, (), False),
+        ('a', 's'): (('a', 's'), prepare_peak_radius_all, block_peak_radius_all, 1, 1, (), False),
     },
     ('_profile', 1, 'r', 'h', 's'): {
         ('r',): (('r',), prepare_profile_r, block_profile_r, 0, 0, (), False),

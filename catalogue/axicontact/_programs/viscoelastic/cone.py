@@ -360,7 +360,7 @@ def earlier_time_standard_solid(t, v, v_2, t_m, t_h, E_inf, E_1, tau):
             value = bodies._earlier_time_standard_solid(t, v, v_2, t_m, t_h, E_inf, E_1, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, t_h, E_inf, E_1, tau):
+            if (value != value or (value == 0.0 and t > t_h)) and ordinary(t, v, v_2, t_m, t_h, E_inf, E_1, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -480,7 +480,7 @@ def retract_force_kelvin_voigt(t, v, v_2, t_m, t_h, theta, E, eta):
     if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is theta.__class__ is E.__class__ is eta.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
         try:
             v16 = t > t_m
-            v25 = 2.0 / (3.141592653589793 * tan(theta))
+            v26 = 2.0 / (3.141592653589793 * tan(theta))
             if v16:
                 if v16:
                     v17 = t_m - (v_2 / v * (t - t_h + eta / E) if t > t_h else 0.0)
@@ -488,8 +488,8 @@ def retract_force_kelvin_voigt(t, v, v_2, t_m, t_h, theta, E, eta):
                 else:
                     v19 = t
                 if v19 > 0.0:
-                    v20 = v * v19
-                    value = v25 * (v20 * v20) * (E + 0.0 * v19)
+                    v21 = v * v19
+                    value = v26 * (v21 * v21) * (E + 0.0 * v19)
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
                     return None
@@ -497,7 +497,7 @@ def retract_force_kelvin_voigt(t, v, v_2, t_m, t_h, theta, E, eta):
             if t == 0.0:
                 return 0.0
             v36 = v * t
-            return v25 * (v36 * v36) * (E + eta * 2.0 / t)
+            return v26 * (v36 * v36) * (E + eta * 2.0 / t)
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -506,14 +506,14 @@ def retract_force_kelvin_voigt(t, v, v_2, t_m, t_h, theta, E, eta):
 def prepare_retract_force_kelvin_voigt_t(theta, v, v_2, t_m, t_h, E, eta):
     v8 = v_2 / v
     v11 = eta / E
-    v21 = np.tan(theta)
-    v23 = (3.141592653589793) * v21
-    v25 = (2.0) / v23
+    v22 = np.tan(theta)
+    v24 = (3.141592653589793) * v22
+    v26 = (2.0) / v24
     v36 = eta * (2.0)
-    return (v, t_m, t_h, E, v8, v11, v25, v36)
+    return (v, t_m, t_h, E, v8, v11, v26, v36)
 
 
-def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, E, v8, v11, v25, v36, t0, t1, t2, m0, m1, f0):
+def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, E, v8, v11, v26, v36, t0, t1, t2, m0, m1, f0):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
@@ -540,7 +540,7 @@ def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, E, v8, v11, v25, v36
         if some32:
             np.multiply(v, t0, out)
             np.square(out, out)
-            np.multiply(v25, out, out)
+            np.multiply(v26, out, out)
             np.multiply(C0, t0, t1)
             np.add(E, t1, t1)
             np.multiply(out, t1, out)
@@ -556,7 +556,7 @@ def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, E, v8, v11, v25, v36
             other41 = t1 if some41 else other42
             np.multiply(v, t, other41)
             np.square(other41, other41)
-            np.multiply(v25, other41, other41)
+            np.multiply(v26, other41, other41)
             np.divide(v36, t, t2)
             np.add(E, t2, t2)
             np.multiply(other41, t2, other41)
@@ -635,7 +635,7 @@ def retract_force_maxwell(t, v, v_2, t_m, t_h, theta, E, tau):
             value = bodies._retract_force_maxwell(t, v, v_2, t_m, t_h, theta, E, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, t_h, theta, E, tau):
+            if (value != value or (value == 0.0 and t > t_h)) and ordinary(t, v, v_2, t_m, t_h, theta, E, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -648,7 +648,7 @@ def retract_force_power_creep(t, v, v_2, t_m, t_h, theta, E, alpha, t_0):
             value = bodies._retract_force_power_creep(t, v, v_2, t_m, t_h, theta, E, alpha, t_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, t_h, theta, E, alpha, t_0):
+            if (value != value or (value == 0.0 and t > t_h)) and ordinary(t, v, v_2, t_m, t_h, theta, E, alpha, t_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -661,7 +661,7 @@ def retract_force_standard_solid(t, v, v_2, t_m, t_h, theta, E_inf, E_1, tau):
             value = bodies._retract_force_standard_solid(t, v, v_2, t_m, t_h, theta, E_inf, E_1, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, t_h, theta, E_inf, E_1, tau):
+            if (value != value or (value == 0.0 and t > t_h)) and ordinary(t, v, v_2, t_m, t_h, theta, E_inf, E_1, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -1027,7 +1027,7 @@ def retract_radius_standard_solid(t, v, v_2, t_m, t_h, theta, E_inf, E_1, tau):
             value = bodies._retract_radius_standard_solid(t, v, v_2, t_m, t_h, theta, E_inf, E_1, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, t_h, theta, E_inf, E_1, tau):
+            if (value != value or (value == 0.0 and t > t_h)) and ordinary(t, v, v_2, t_m, t_h, theta, E_inf, E_1, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass

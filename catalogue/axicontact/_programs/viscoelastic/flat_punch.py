@@ -360,7 +360,7 @@ def earlier_time_standard_solid(t, v, v_2, t_m, t_h, E_inf, E_1, tau):
             value = bodies._earlier_time_standard_solid(t, v, v_2, t_m, t_h, E_inf, E_1, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, t_h, E_inf, E_1, tau):
+            if (value != value or (value == 0.0 and t > t_h)) and ordinary(t, v, v_2, t_m, t_h, E_inf, E_1, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -625,7 +625,7 @@ def retract_force_maxwell(t, v, v_2, t_m, t_h, a, E, tau):
             value = bodies._retract_force_maxwell(t, v, v_2, t_m, t_h, a, E, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, t_h, a, E, tau):
+            if (value != value or (value == 0.0 and t > t_h)) and ordinary(t, v, v_2, t_m, t_h, a, E, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -638,7 +638,7 @@ def retract_force_power_creep(t, v, v_2, t_m, t_h, a, E, alpha, t_0):
             value = bodies._retract_force_power_creep(t, v, v_2, t_m, t_h, a, E, alpha, t_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, t_h, a, E, alpha, t_0):
+            if (value != value or (value == 0.0 and t > t_h)) and ordinary(t, v, v_2, t_m, t_h, a, E, alpha, t_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -651,7 +651,7 @@ def retract_force_standard_solid(t, v, v_2, t_m, t_h, a, E_inf, E_1, tau):
             value = bodies._retract_force_standard_solid(t, v, v_2, t_m, t_h, a, E_inf, E_1, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, t_h, a, E_inf, E_1, tau):
+            if (value != value or (value == 0.0 and t > t_h)) and ordinary(t, v, v_2, t_m, t_h, a, E_inf, E_1, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass

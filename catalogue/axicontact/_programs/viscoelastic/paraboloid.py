@@ -362,7 +362,7 @@ def earlier_time_standard_solid(t, v, v_2, t_m, t_h, E_inf, E_1, tau):
             value = bodies._earlier_time_standard_solid(t, v, v_2, t_m, t_h, E_inf, E_1, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, t_h, E_inf, E_1, tau):
+            if (value != value or (value == 0.0 and t > t_h)) and ordinary(t, v, v_2, t_m, t_h, E_inf, E_1, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -487,8 +487,8 @@ def retract_force_kelvin_voigt(t, v, v_2, t_m, t_h, R, E, eta):
                 else:
                     v19 = t
                 if v19 > 0.0:
-                    v20 = v * v19
-                    value = 1.3333333333333333 * v20 * sqrt(R * v20) * (E + 0.0 * v19)
+                    v21 = v * v19
+                    value = 1.3333333333333333 * v21 * sqrt(R * v21) * (E + 0.0 * v19)
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
                     return None
@@ -636,7 +636,7 @@ def retract_force_maxwell(t, v, v_2, t_m, t_h, R, E, tau):
             value = bodies._retract_force_maxwell(t, v, v_2, t_m, t_h, R, E, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, t_h, R, E, tau):
+            if (value != value or (value == 0.0 and t > t_h)) and ordinary(t, v, v_2, t_m, t_h, R, E, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -649,7 +649,7 @@ def retract_force_power_creep(t, v, v_2, t_m, t_h, R, E, alpha, t_0):
             value = bodies._retract_force_power_creep(t, v, v_2, t_m, t_h, R, E, alpha, t_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, t_h, R, E, alpha, t_0):
+            if (value != value or (value == 0.0 and t > t_h)) and ordinary(t, v, v_2, t_m, t_h, R, E, alpha, t_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -662,7 +662,7 @@ def retract_force_standard_solid(t, v, v_2, t_m, t_h, R, E_inf, E_1, tau):
             value = bodies._retract_force_standard_solid(t, v, v_2, t_m, t_h, R, E_inf, E_1, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, t_h, R, E_inf, E_1, tau):
+            if (value != value or (value == 0.0 and t > t_h)) and ordinary(t, v, v_2, t_m, t_h, R, E_inf, E_1, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -1016,7 +1016,7 @@ def retract_radius_standard_solid(t, v, v_2, t_m, t_h, R, E_inf, E_1, tau):
             value = bodies._retract_radius_standard_solid(t, v, v_2, t_m, t_h, R, E_inf, E_1, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, t_h, R, E_inf, E_1, tau):
+            if (value != value or (value == 0.0 and t > t_h)) and ordinary(t, v, v_2, t_m, t_h, R, E_inf, E_1, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass

@@ -378,7 +378,7 @@ def earlier_time_standard_solid(t, v, v_2, t_m, t_h, E_inf, E_1, tau):
             value = bodies._earlier_time_standard_solid(t, v, v_2, t_m, t_h, E_inf, E_1, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, t_h, E_inf, E_1, tau):
+            if (value != value or (value == 0.0 and t > t_h)) and ordinary(t, v, v_2, t_m, t_h, E_inf, E_1, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -655,15 +655,15 @@ def retract_force_kelvin_voigt(t, v, v_2, t_m, t_h, A, n, E, eta):
         try:
             v17 = t > t_m
             v22 = n + 1.0
-            v28 = n / 2.0 + 0.5
-            v30 = v28 + 1.75
-            v34 = (v28 + 0.5) * (v28 + 1.5)
-            v47 = 1.0 / (v30 * v30)
-            v88 = (v28 * (v28 + 1.0) / v34 if v28 < 1.0 else 1.0 - (v28 + 0.75) / v34) * sqrt(v30) * (1.0 + v47 * (((((((0.01524698625788054 * v47 + 0.5334320651111477) * v47 + 2.250488865813539) * v47 + 2.8612106440066865) * v47 + 1.3794681629043655) * v47 + 0.2596058532893223) * v47 + 0.015624999999999823) / ((((((3.278794792785737 * v47 + 49.328555418276075) * v47 + 167.28648538571198) * v47 + 195.37226190335065) * v47 + 90.69722535867314) * v47 + 16.763212110504565) * v47 + 1.0)))
-            v91 = 1.7724538509055159 * A * v88
-            v97 = 3.5449077018110318 * n * A / v22 * v88
-            v99 = n + 0.0
-            v100 = 1.0 / v99
+            v29 = n / 2.0 + 0.5
+            v31 = v29 + 1.75
+            v35 = (v29 + 0.5) * (v29 + 1.5)
+            v48 = 1.0 / (v31 * v31)
+            v89 = (v29 * (v29 + 1.0) / v35 if v29 < 1.0 else 1.0 - (v29 + 0.75) / v35) * sqrt(v31) * (1.0 + v48 * (((((((0.01524698625788054 * v48 + 0.5334320651111477) * v48 + 2.250488865813539) * v48 + 2.8612106440066865) * v48 + 1.3794681629043655) * v48 + 0.2596058532893223) * v48 + 0.015624999999999823) / ((((((3.278794792785737 * v48 + 49.328555418276075) * v48 + 167.28648538571198) * v48 + 195.37226190335065) * v48 + 90.69722535867314) * v48 + 16.763212110504565) * v48 + 1.0)))
+            v92 = 1.7724538509055159 * A * v89
+            v98 = 3.5449077018110318 * n * A / v22 * v89
+            v100 = n + 0.0
+            v101 = 1.0 / v100
             if v17:
                 if v17:
                     v18 = t_m - (v_2 / v * (t - t_h + eta / E) if t > t_h else 0.0)
@@ -671,18 +671,18 @@ def retract_force_kelvin_voigt(t, v, v_2, t_m, t_h, A, n, E, eta):
                 else:
                     v20 = t
                 if v20 > 0.0:
-                    v92 = v * v20 / v91
-                    v101 = pow(v92, v100)
-                    value = v97 * v92 * (v101 + v101 * ((v92 / (pow(v101, n) * pow(v101, 0.0)) - 1.0) / v99) if v92 > 0.0 and v92 < inf else v101) * (E + 0.0 * v20)
+                    v93 = v * v20 / v92
+                    v102 = pow(v93, v101)
+                    value = v98 * v93 * (v102 + v102 * ((v93 / (pow(v102, n) * pow(v102, 0.0)) - 1.0) / v100) if v93 > 0.0 and v93 < inf else v102) * (E + 0.0 * v20)
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
                     return None
                 return 0.0
             if t == 0.0:
                 return 0.0
-            v125 = v * t / v91
-            v127 = pow(v125, v100)
-            value = v97 * v125 * (v127 + v127 * ((v125 / (pow(v127, n) * pow(v127, 0.0)) - 1.0) / v99) if v125 > 0.0 and v125 < inf else v127) * (E + eta * (v22 / n) / t)
+            v125 = v * t / v92
+            v127 = pow(v125, v101)
+            value = v98 * v125 * (v127 + v127 * ((v125 / (pow(v127, n) * pow(v127, 0.0)) - 1.0) / v100) if v125 > 0.0 and v125 < inf else v127) * (E + eta * (v22 / n) / t)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             return None
@@ -696,65 +696,65 @@ def prepare_retract_force_kelvin_voigt_t(A, n, v, v_2, t_m, t_h, E, eta):
     v12 = eta / E
     v22 = n + (1.0)
     v23 = v22 / n
-    v26 = n / (2.0)
-    v28 = v26 + (0.5)
-    v30 = v28 + (1.75)
-    v31 = v28 + (0.5)
-    v33 = v28 + (1.5)
-    v34 = v31 * v33
-    v35 = np.less(v28, (1.0))
-    v36 = v28 + (1.0)
-    v37 = v28 * v36
-    v38 = v37 / v34
-    v40 = v28 + (0.75)
-    v41 = v40 / v34
-    v42 = (1.0) - v41
-    v43 = v38 if v35 else v42
-    v44 = np.sqrt(v30)
-    v45 = v43 * v44
-    v46 = v30 * v30
-    v47 = (1.0) / v46
-    v49 = (0.01524698625788054) * v47
-    v51 = v49 + (0.5334320651111477)
-    v52 = v51 * v47
-    v54 = v52 + (2.250488865813539)
-    v55 = v54 * v47
-    v57 = v55 + (2.8612106440066865)
-    v58 = v57 * v47
-    v60 = v58 + (1.3794681629043655)
-    v61 = v60 * v47
-    v63 = v61 + (0.2596058532893223)
-    v64 = v63 * v47
-    v66 = v64 + (0.015624999999999823)
-    v68 = (3.278794792785737) * v47
-    v70 = v68 + (49.328555418276075)
-    v71 = v70 * v47
-    v73 = v71 + (167.28648538571198)
-    v74 = v73 * v47
-    v76 = v74 + (195.37226190335065)
-    v77 = v76 * v47
-    v79 = v77 + (90.69722535867314)
-    v80 = v79 * v47
-    v82 = v80 + (16.763212110504565)
-    v83 = v82 * v47
-    v84 = v83 + (1.0)
-    v85 = v66 / v84
-    v86 = v47 * v85
-    v87 = (1.0) + v86
-    v88 = v45 * v87
-    v90 = (1.7724538509055159) * A
-    v91 = v90 * v88
-    v94 = (3.5449077018110318) * n
-    v95 = v94 * A
-    v96 = v95 / v22
-    v97 = v96 * v88
-    v99 = n + (0.0)
-    v100 = (1.0) / v99
+    v27 = n / (2.0)
+    v29 = v27 + (0.5)
+    v31 = v29 + (1.75)
+    v32 = v29 + (0.5)
+    v34 = v29 + (1.5)
+    v35 = v32 * v34
+    v36 = np.less(v29, (1.0))
+    v37 = v29 + (1.0)
+    v38 = v29 * v37
+    v39 = v38 / v35
+    v41 = v29 + (0.75)
+    v42 = v41 / v35
+    v43 = (1.0) - v42
+    v44 = v39 if v36 else v43
+    v45 = np.sqrt(v31)
+    v46 = v44 * v45
+    v47 = v31 * v31
+    v48 = (1.0) / v47
+    v50 = (0.01524698625788054) * v48
+    v52 = v50 + (0.5334320651111477)
+    v53 = v52 * v48
+    v55 = v53 + (2.250488865813539)
+    v56 = v55 * v48
+    v58 = v56 + (2.8612106440066865)
+    v59 = v58 * v48
+    v61 = v59 + (1.3794681629043655)
+    v62 = v61 * v48
+    v64 = v62 + (0.2596058532893223)
+    v65 = v64 * v48
+    v67 = v65 + (0.015624999999999823)
+    v69 = (3.278794792785737) * v48
+    v71 = v69 + (49.328555418276075)
+    v72 = v71 * v48
+    v74 = v72 + (167.28648538571198)
+    v75 = v74 * v48
+    v77 = v75 + (195.37226190335065)
+    v78 = v77 * v48
+    v80 = v78 + (90.69722535867314)
+    v81 = v80 * v48
+    v83 = v81 + (16.763212110504565)
+    v84 = v83 * v48
+    v85 = v84 + (1.0)
+    v86 = v67 / v85
+    v87 = v48 * v86
+    v88 = (1.0) + v87
+    v89 = v46 * v88
+    v91 = (1.7724538509055159) * A
+    v92 = v91 * v89
+    v95 = (3.5449077018110318) * n
+    v96 = v95 * A
+    v97 = v96 / v22
+    v98 = v97 * v89
+    v100 = n + (0.0)
+    v101 = (1.0) / v100
     v138 = eta * v23
-    return (v, t_m, t_h, n, E, v9, v12, v91, v97, v99, v100, v138)
+    return (v, t_m, t_h, n, E, v9, v12, v92, v98, v100, v101, v138)
 
 
-def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, n, E, v9, v12, v91, v97, v99, v100, v138, t0, t1, t2, t3, t4, t5, m0, m1, m2, m3, f0):
+def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, n, E, v9, v12, v92, v98, v100, v101, v138, t0, t1, t2, t3, t4, t5, m0, m1, m2, m3, f0):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
@@ -780,23 +780,23 @@ def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, n, E, v9, v12, v91, 
         some120 = np.count_nonzero(m1)
         if some120:
             np.multiply(v, t0, out)
-            np.divide(out, v91, out)
-            np.multiply(v97, out, t1)
-            np.power(out, v100, t2)
+            np.divide(out, v92, out)
+            np.multiply(v98, out, t1)
+            np.power(out, v101, t2)
             np.greater(out, C0, m2)
             np.less(out, C2, m3)
             np.bitwise_and(m2, m3, m3)
-            some114 = np.count_nonzero(m3)
-            if some114:
+            some115 = np.count_nonzero(m3)
+            if some115:
                 np.power(t2, n, t3)
                 np.power(t2, C0, t4)
                 np.multiply(t3, t4, t4)
                 np.divide(out, t4, t4)
                 np.subtract(t4, C1, t4)
-                np.divide(t4, v99, t4)
+                np.divide(t4, v100, t4)
                 np.multiply(t2, t4, t4)
                 np.add(t2, t4, t3)
-            if some114 != size:
+            if some115 != size:
                 np.copyto(t3, t2, where=~m3)
             np.multiply(t1, t3, t3)
             np.multiply(C0, t0, t1)
@@ -813,9 +813,9 @@ def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, n, E, v9, v12, v91, 
         if some143 != size:
             other143 = t1 if some143 else other144
             np.multiply(v, t, other143)
-            np.divide(other143, v91, other143)
-            np.multiply(v97, other143, t3)
-            np.power(other143, v100, t2)
+            np.divide(other143, v92, other143)
+            np.multiply(v98, other143, t3)
+            np.power(other143, v101, t2)
             np.greater(other143, C0, m3)
             np.less(other143, C2, m2)
             np.bitwise_and(m3, m2, m2)
@@ -826,7 +826,7 @@ def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, n, E, v9, v12, v91, 
                 np.multiply(t4, t5, t5)
                 np.divide(other143, t5, t5)
                 np.subtract(t5, C1, t5)
-                np.divide(t5, v99, t5)
+                np.divide(t5, v100, t5)
                 np.multiply(t2, t5, t5)
                 np.add(t2, t5, t4)
             if some136 != size:
@@ -859,18 +859,18 @@ def block_retract_force_kelvin_voigt_all(out, t, A, n, v, v_2, t_m, t_h, E, eta,
     np.add(t1, C5, t4)
     np.multiply(t3, t4, t4)
     np.less(t1, C1, m1)
-    some43 = np.count_nonzero(m1)
-    if some43:
+    some44 = np.count_nonzero(m1)
+    if some44:
         np.add(t1, C1, t3)
         np.multiply(t1, t3, t3)
         np.divide(t3, t4, t3)
-    if some43 != size:
-        other43 = t5 if some43 else t3
-        np.add(t1, C6, other43)
-        np.divide(other43, t4, other43)
-        np.subtract(C1, other43, other43)
-        if some43:
-            np.copyto(t3, other43, where=~m1)
+    if some44 != size:
+        other44 = t5 if some44 else t3
+        np.add(t1, C6, other44)
+        np.divide(other44, t4, other44)
+        np.subtract(C1, other44, other44)
+        if some44:
+            np.copyto(t3, other44, where=~m1)
     np.sqrt(t2, t4)
     np.multiply(t3, t4, t4)
     np.multiply(t2, t2, t2)
@@ -939,8 +939,8 @@ def block_retract_force_kelvin_voigt_all(out, t, A, n, v, v_2, t_m, t_h, E, eta,
             np.greater(out, C0, m2)
             np.less(out, C2, m3)
             np.bitwise_and(m2, m3, m3)
-            some114 = np.count_nonzero(m3)
-            if some114:
+            some115 = np.count_nonzero(m3)
+            if some115:
                 np.power(t6, n, t8)
                 np.power(t6, C0, t9)
                 np.multiply(t8, t9, t9)
@@ -949,7 +949,7 @@ def block_retract_force_kelvin_voigt_all(out, t, A, n, v, v_2, t_m, t_h, E, eta,
                 np.divide(t9, t2, t9)
                 np.multiply(t6, t9, t9)
                 np.add(t6, t9, t8)
-            if some114 != size:
+            if some115 != size:
                 np.copyto(t8, t6, where=~m3)
             np.multiply(t7, t8, t8)
             np.multiply(C0, t5, t7)
@@ -1002,7 +1002,7 @@ def retract_force_maxwell(t, v, v_2, t_m, t_h, A, n, E, tau):
             value = bodies._retract_force_maxwell(t, v, v_2, t_m, t_h, A, n, E, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, t_h, A, n, E, tau):
+            if (value != value or (value == 0.0 and t > t_h)) and ordinary(t, v, v_2, t_m, t_h, A, n, E, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -1015,7 +1015,7 @@ def retract_force_power_creep(t, v, v_2, t_m, t_h, A, n, E, alpha, t_0):
             value = bodies._retract_force_power_creep(t, v, v_2, t_m, t_h, A, n, E, alpha, t_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, t_h, A, n, E, alpha, t_0):
+            if (value != value or (value == 0.0 and t > t_h)) and ordinary(t, v, v_2, t_m, t_h, A, n, E, alpha, t_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -1028,7 +1028,7 @@ def retract_force_standard_solid(t, v, v_2, t_m, t_h, A, n, E_inf, E_1, tau):
             value = bodies._retract_force_standard_solid(t, v, v_2, t_m, t_h, A, n, E_inf, E_1, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, t_h, A, n, E_inf, E_1, tau):
+            if (value != value or (value == 0.0 and t > t_h)) and ordinary(t, v, v_2, t_m, t_h, A, n, E_inf, E_1, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -1826,7 +1826,7 @@ def retract_radius_standard_solid(t, v, v_2, t_m, t_h, A, n, E_inf, E_1, tau):
             value = bodies._retract_radius_standard_solid(t, v, v_2, t_m, t_h, A, n, E_inf, E_1, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, t_h, A, n, E_inf, E_1, tau):
+            if (value != value or (value == 0.0 and t > t_h)) and ordinary(t, v, v_2, t_m, t_h, A, n, E_inf, E_1, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass

@@ -368,7 +368,7 @@ def earlier_time_standard_solid(t, v, v_2, t_m, t_h, E_inf, E_1, tau):
             value = bodies._earlier_time_standard_solid(t, v, v_2, t_m, t_h, E_inf, E_1, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, t_h, E_inf, E_1, tau):
+            if (value != value or (value == 0.0 and t > t_h)) and ordinary(t, v, v_2, t_m, t_h, E_inf, E_1, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -497,8 +497,8 @@ def retract_force_kelvin_voigt(t, v, v_2, t_m, t_h, A, E, eta):
                 else:
                     v19 = t
                 if v19 > 0.0:
-                    v20 = v * v19
-                    value = 0.8 * v20 * sqrt(sqrt(6.0 * v20 / A)) * (E + 0.0 * v19)
+                    v21 = v * v19
+                    value = 0.8 * v21 * sqrt(sqrt(6.0 * v21 / A)) * (E + 0.0 * v19)
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
                     return None
@@ -654,7 +654,7 @@ def retract_force_maxwell(t, v, v_2, t_m, t_h, A, E, tau):
             value = bodies._retract_force_maxwell(t, v, v_2, t_m, t_h, A, E, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, t_h, A, E, tau):
+            if (value != value or (value == 0.0 and t > t_h)) and ordinary(t, v, v_2, t_m, t_h, A, E, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -667,7 +667,7 @@ def retract_force_power_creep(t, v, v_2, t_m, t_h, A, E, alpha, t_0):
             value = bodies._retract_force_power_creep(t, v, v_2, t_m, t_h, A, E, alpha, t_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, t_h, A, E, alpha, t_0):
+            if (value != value or (value == 0.0 and t > t_h)) and ordinary(t, v, v_2, t_m, t_h, A, E, alpha, t_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -680,7 +680,7 @@ def retract_force_standard_solid(t, v, v_2, t_m, t_h, A, E_inf, E_1, tau):
             value = bodies._retract_force_standard_solid(t, v, v_2, t_m, t_h, A, E_inf, E_1, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, t_h, A, E_inf, E_1, tau):
+            if (value != value or (value == 0.0 and t > t_h)) and ordinary(t, v, v_2, t_m, t_h, A, E_inf, E_1, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -1052,7 +1052,7 @@ def retract_radius_standard_solid(t, v, v_2, t_m, t_h, A, E_inf, E_1, tau):
             value = bodies._retract_radius_standard_solid(t, v, v_2, t_m, t_h, A, E_inf, E_1, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, t_h, A, E_inf, E_1, tau):
+            if (value != value or (value == 0.0 and t > t_h)) and ordinary(t, v, v_2, t_m, t_h, A, E_inf, E_1, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass

@@ -370,7 +370,7 @@ def earlier_time_standard_solid(t, v, v_2, t_m, t_h, E_inf, E_1, tau):
             value = bodies._earlier_time_standard_solid(t, v, v_2, t_m, t_h, E_inf, E_1, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, t_h, E_inf, E_1, tau):
+            if (value != value or (value == 0.0 and t > t_h)) and ordinary(t, v, v_2, t_m, t_h, E_inf, E_1, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -532,10 +532,10 @@ def retract_force_kelvin_voigt(t, v, v_2, t_m, t_h, A, E, eta):
                 else:
                     v19 = t
                 if v19 > 0.0:
-                    v20 = v * v19
-                    v25 = 20.0 * v20 / A
-                    v27 = pow(v25, 0.16666666666666666)
-                    value = 0.8571428571428571 * v20 * (v27 + v27 * ((v25 / (pow(v27, 6.0) * pow(v27, 0.0)) - 1.0) / 6.0) if v25 > 0.0 and v25 < inf else v27) * (E + 0.0 * v19)
+                    v21 = v * v19
+                    v26 = 20.0 * v21 / A
+                    v28 = pow(v26, 0.16666666666666666)
+                    value = 0.8571428571428571 * v21 * (v28 + v28 * ((v26 / (pow(v28, 6.0) * pow(v28, 0.0)) - 1.0) / 6.0) if v26 > 0.0 and v26 < inf else v28) * (E + 0.0 * v19)
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
                     return None
@@ -594,8 +594,8 @@ def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, A, E, v8, v11, v68, 
             np.greater(out, C0, m2)
             np.less(out, C2, m3)
             np.bitwise_and(m2, m3, m3)
-            some42 = np.count_nonzero(m3)
-            if some42:
+            some43 = np.count_nonzero(m3)
+            if some43:
                 np.power(t2, C6, t3)
                 np.power(t2, C0, t4)
                 np.multiply(t3, t4, t4)
@@ -604,7 +604,7 @@ def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, A, E, v8, v11, v68, 
                 np.divide(t4, C6, t4)
                 np.multiply(t2, t4, t4)
                 np.add(t2, t4, t3)
-            if some42 != size:
+            if some43 != size:
                 np.copyto(t3, t2, where=~m3)
             np.multiply(t1, t3, t3)
             np.multiply(C0, t0, t1)
@@ -689,8 +689,8 @@ def block_retract_force_kelvin_voigt_all(out, t, A, v, v_2, t_m, t_h, E, eta, t0
             np.greater(out, C0, m2)
             np.less(out, C2, m3)
             np.bitwise_and(m2, m3, m3)
-            some42 = np.count_nonzero(m3)
-            if some42:
+            some43 = np.count_nonzero(m3)
+            if some43:
                 np.power(t1, C6, t3)
                 np.power(t1, C0, t4)
                 np.multiply(t3, t4, t4)
@@ -699,7 +699,7 @@ def block_retract_force_kelvin_voigt_all(out, t, A, v, v_2, t_m, t_h, E, eta, t0
                 np.divide(t4, C6, t4)
                 np.multiply(t1, t4, t4)
                 np.add(t1, t4, t3)
-            if some42 != size:
+            if some43 != size:
                 np.copyto(t3, t1, where=~m3)
             np.multiply(t2, t3, t3)
             np.multiply(C0, t0, t2)
@@ -752,7 +752,7 @@ def retract_force_maxwell(t, v, v_2, t_m, t_h, A, E, tau):
             value = bodies._retract_force_maxwell(t, v, v_2, t_m, t_h, A, E, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, t_h, A, E, tau):
+            if (value != value or (value == 0.0 and t > t_h)) and ordinary(t, v, v_2, t_m, t_h, A, E, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -765,7 +765,7 @@ def retract_force_power_creep(t, v, v_2, t_m, t_h, A, E, alpha, t_0):
             value = bodies._retract_force_power_creep(t, v, v_2, t_m, t_h, A, E, alpha, t_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, t_h, A, E, alpha, t_0):
+            if (value != value or (value == 0.0 and t > t_h)) and ordinary(t, v, v_2, t_m, t_h, A, E, alpha, t_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -778,7 +778,7 @@ def retract_force_standard_solid(t, v, v_2, t_m, t_h, A, E_inf, E_1, tau):
             value = bodies._retract_force_standard_solid(t, v, v_2, t_m, t_h, A, E_inf, E_1, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, t_h, A, E_inf, E_1, tau):
+            if (value != value or (value == 0.0 and t > t_h)) and ordinary(t, v, v_2, t_m, t_h, A, E_inf, E_1, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -1258,7 +1258,7 @@ def retract_radius_standard_solid(t, v, v_2, t_m, t_h, A, E_inf, E_1, tau):
             value = bodies._retract_radius_standard_solid(t, v, v_2, t_m, t_h, A, E_inf, E_1, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, t_h, A, E_inf, E_1, tau):
+            if (value != value or (value == 0.0 and t > t_h)) and ordinary(t, v, v_2, t_m, t_h, A, E_inf, E_1, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass

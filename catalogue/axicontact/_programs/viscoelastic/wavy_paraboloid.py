@@ -358,7 +358,7 @@ def earlier_time_standard_solid(t, v, v_2, t_m, t_h, E_inf, E_1, tau):
             value = bodies._earlier_time_standard_solid(t, v, v_2, t_m, t_h, E_inf, E_1, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, t_h, E_inf, E_1, tau):
+            if (value != value or (value == 0.0 and t > t_h)) and ordinary(t, v, v_2, t_m, t_h, E_inf, E_1, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -378,13 +378,91 @@ def ramp_force_kelvin_voigt(t, v, R, h, wavelength, E, eta):
     return None
 
 
+def ramp_force_maxwell(t, v, R, h, wavelength, E, tau):
+    if t.__class__ is v.__class__ is R.__class__ is h.__class__ is wavelength.__class__ is E.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (R > 1e-30) and (R < 1e+30) and (h > 1e-30) and (h < 1e+30) and (wavelength > 1e-30) and (wavelength < 1e+30) and (E > 1e-30) and (E < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+        try:
+            value = bodies._ramp_force_maxwell(t, v, R, h, wavelength, E, tau)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(t, v, R, h, wavelength, E, tau):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def ramp_force_power_creep(t, v, R, h, wavelength, E, alpha, t_0):
+    if t.__class__ is v.__class__ is R.__class__ is h.__class__ is wavelength.__class__ is E.__class__ is alpha.__class__ is t_0.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (R > 1e-30) and (R < 1e+30) and (h > 1e-30) and (h < 1e+30) and (wavelength > 1e-30) and (wavelength < 1e+30) and (E > 1e-30) and (E < 1e+30) and (alpha > 1e-30) and (alpha < 1.0) and (t_0 > 1e-30) and (t_0 < 1e+30):
+        try:
+            value = bodies._ramp_force_power_creep(t, v, R, h, wavelength, E, alpha, t_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(t, v, R, h, wavelength, E, alpha, t_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def ramp_force_standard_solid(t, v, R, h, wavelength, E_inf, E_1, tau):
+    if t.__class__ is v.__class__ is R.__class__ is h.__class__ is wavelength.__class__ is E_inf.__class__ is E_1.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (R > 1e-30) and (R < 1e+30) and (h > 1e-30) and (h < 1e+30) and (wavelength > 1e-30) and (wavelength < 1e+30) and (E_inf > 1e-30) and (E_inf < 1e+30) and (E_1 > 1e-30) and (E_1 < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+        try:
+            value = bodies._ramp_force_standard_solid(t, v, R, h, wavelength, E_inf, E_1, tau)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(t, v, R, h, wavelength, E_inf, E_1, tau):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
 def retract_force_kelvin_voigt(t, v, v_2, t_m, t_h, R, h, wavelength, E, eta):
     if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is R.__class__ is h.__class__ is wavelength.__class__ is E.__class__ is eta.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (R > 1e-30) and (R < 1e+30) and (h > 1e-30) and (h < 1e+30) and (wavelength > 1e-30) and (wavelength < 1e+30) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
         try:
             value = bodies._retract_force_kelvin_voigt(t, v, v_2, t_m, t_h, R, h, wavelength, E, eta)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, t_h, R, h, wavelength, E, eta):
+            if (value != value or (value == 0.0 and t > t_h)) and ordinary(t, v, v_2, t_m, t_h, R, h, wavelength, E, eta):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def retract_force_maxwell(t, v, v_2, t_m, t_h, R, h, wavelength, E, tau):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is R.__class__ is h.__class__ is wavelength.__class__ is E.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (R > 1e-30) and (R < 1e+30) and (h > 1e-30) and (h < 1e+30) and (wavelength > 1e-30) and (wavelength < 1e+30) and (E > 1e-30) and (E < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+        try:
+            value = bodies._retract_force_maxwell(t, v, v_2, t_m, t_h, R, h, wavelength, E, tau)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if (value != value or (value == 0.0 and t > t_h)) and ordinary(t, v, v_2, t_m, t_h, R, h, wavelength, E, tau):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def retract_force_power_creep(t, v, v_2, t_m, t_h, R, h, wavelength, E, alpha, t_0):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is R.__class__ is h.__class__ is wavelength.__class__ is E.__class__ is alpha.__class__ is t_0.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (R > 1e-30) and (R < 1e+30) and (h > 1e-30) and (h < 1e+30) and (wavelength > 1e-30) and (wavelength < 1e+30) and (E > 1e-30) and (E < 1e+30) and (alpha > 1e-30) and (alpha < 1.0) and (t_0 > 1e-30) and (t_0 < 1e+30):
+        try:
+            value = bodies._retract_force_power_creep(t, v, v_2, t_m, t_h, R, h, wavelength, E, alpha, t_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if (value != value or (value == 0.0 and t > t_h)) and ordinary(t, v, v_2, t_m, t_h, R, h, wavelength, E, alpha, t_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def retract_force_standard_solid(t, v, v_2, t_m, t_h, R, h, wavelength, E_inf, E_1, tau):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is R.__class__ is h.__class__ is wavelength.__class__ is E_inf.__class__ is E_1.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (R > 1e-30) and (R < 1e+30) and (h > 1e-30) and (h < 1e+30) and (wavelength > 1e-30) and (wavelength < 1e+30) and (E_inf > 1e-30) and (E_inf < 1e+30) and (E_1 > 1e-30) and (E_1 < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+        try:
+            value = bodies._retract_force_standard_solid(t, v, v_2, t_m, t_h, R, h, wavelength, E_inf, E_1, tau)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if (value != value or (value == 0.0 and t > t_h)) and ordinary(t, v, v_2, t_m, t_h, R, h, wavelength, E_inf, E_1, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -397,7 +475,7 @@ def retract_radius_kelvin_voigt(t, v, v_2, t_m, t_h, R, h, wavelength, E, eta):
             value = bodies._retract_radius_kelvin_voigt(t, v, v_2, t_m, t_h, R, h, wavelength, E, eta)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, t_h, R, h, wavelength, E, eta):
+            if (value != value or (value == 0.0 and t > t_h)) and ordinary(t, v, v_2, t_m, t_h, R, h, wavelength, E, eta):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -410,7 +488,7 @@ def retract_radius_maxwell(t, v, v_2, t_m, t_h, R, h, wavelength, E, tau):
             value = bodies._retract_radius_maxwell(t, v, v_2, t_m, t_h, R, h, wavelength, E, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, t_h, R, h, wavelength, E, tau):
+            if (value != value or (value == 0.0 and t > t_h)) and ordinary(t, v, v_2, t_m, t_h, R, h, wavelength, E, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -423,7 +501,7 @@ def retract_radius_power_creep(t, v, v_2, t_m, t_h, R, h, wavelength, E, alpha, 
             value = bodies._retract_radius_power_creep(t, v, v_2, t_m, t_h, R, h, wavelength, E, alpha, t_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, t_h, R, h, wavelength, E, alpha, t_0):
+            if (value != value or (value == 0.0 and t > t_h)) and ordinary(t, v, v_2, t_m, t_h, R, h, wavelength, E, alpha, t_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -436,7 +514,7 @@ def retract_radius_standard_solid(t, v, v_2, t_m, t_h, R, h, wavelength, E_inf, 
             value = bodies._retract_radius_standard_solid(t, v, v_2, t_m, t_h, R, h, wavelength, E_inf, E_1, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, v, v_2, t_m, t_h, R, h, wavelength, E_inf, E_1, tau):
+            if (value != value or (value == 0.0 and t > t_h)) and ordinary(t, v, v_2, t_m, t_h, R, h, wavelength, E_inf, E_1, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass

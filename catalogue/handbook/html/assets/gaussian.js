@@ -684,6 +684,65 @@ const load_within = (r, a, h, s, E_star) => {
   return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _load_within(r, a, h, s, E_star) : 0.0) : NaN);
 };
 
+const _peak_pressure_of_gaussian = (a, h, s, E_star) => {
+  return _pressure_of_gaussian(math.zeros_like(a), a, h, s, E_star);
+};
+
+const _peak_pressure = (a, h, s, E_star) => {
+  let node, v11, v14, v15, v18, v19, v5, v57, v74, v81, v82, v9, weight;
+  if (((a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (s > 1e-30) && (s < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    if ((a <= (1.5019752682686114 * s))) {
+      if ((0.0 < a)) {
+        v5 = (a - 0.0);
+        v9 = Math.sqrt(((((v5 > 0.0) || (v5 !== v5)) ? v5 : 0.0) * (a + 0.0)));
+        v18 = ((2.0 * h) / s);
+        v82 = [];
+        for ([node, weight] of RULE_0_of_gaussian((v9 / 1.0))) {
+          v11 = (node * v9);
+          v14 = Math.sqrt((0.0 + (v11 * v11)));
+          v15 = (v14 / s);
+          v19 = (v15 * v15);
+          v57 = (((((((((((((((((((((((((1.567077144036674e-13 * v19) + (-3.840375691006307e-12)) * v19) + 3.8015754128174666e-11) * v19) + (-1.8423006918213799e-10)) * v19) + 4.472469827763728e-10) * v19) + (-1.1927516362741588e-09)) * v19) + 6.225892246861416e-09) * v19) + 3.4413148480148793e-09) * v19) + (-9.933344851449817e-08)) * v19) + (-5.127541706569233e-07)) * v19) + 1.8119768160503268e-06) * v19) + 2.151585040783394e-05) * v19) + 4.61098799999374e-06) * v19);
+          v74 = (v15 / (((((((((((v57 + (-0.000684089638073553)) * v19) + (-0.002257495580553435)) * v19) + 0.016931216930225715) * v19) + 0.17777777777782838) * v19) + 0.6666666666666656) * v19) + 1.0));
+          v81 = ((v18 * (v74 + ((1.0 - ((2.0 * v74) * v15)) * v15))) / v14);
+          v82.push((weight * v81));
+        }
+        v82 = (math.fsum(v82) * v9);
+        return ((E_star / 3.141592653589793) * v82);
+      }
+      return 0.0;
+    }
+    return NaN;
+  }
+  return _peak_pressure_of_gaussian(a, h, s, E_star);
+};
+
+const _peak_radius_of_gaussian = (a, s) => {
+  return math.where((a <= (1.5019752682686114 * s)), 0.0, NaN);
+};
+
+const _peak_radius = (a, s, h = 1.0, E_star = 1.0) => {
+  if (((a > 1e-30) && (a < 1e+30) && (s > 1e-30) && (s < 1e+30) && (h > 1e-30) && (h < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    if ((a <= (1.5019752682686114 * s))) {
+      return 0.0;
+    }
+    return NaN;
+  }
+  return _peak_radius_of_gaussian(a, s);
+};
+
+const PeakPressure = (pressure, radius) => math.record({ pressure, radius });
+
+const peak_pressure = (a, h, s, E_star) => {
+  let pressure, radius;
+  if ((!((0.0 < h && h < Infinity) && (0.0 < s && s < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  pressure = ((a >= 0.0) ? _peak_pressure(a, h, s, E_star) : NaN);
+  radius = ((a >= 0.0) ? _peak_radius(a, s) : NaN);
+  return PeakPressure(pressure, radius);
+};
+
 const _slope_of_gaussian = (t, h, s) => {
   let v3, v45, v63, v7;
   v3 = (t / s);
@@ -2595,7 +2654,7 @@ const step_load_radius_power_creep = (t, F, h, s, E, alpha, t_0) => {
   return ((t >= 0.0) ? _step_load_radius_power_creep(t, F, h, s, E, alpha, t_0) : NaN);
 };
 
-const once = { pull_off: math.kept(pull_off), pull_off_of_gaussian: math.kept(pull_off_of_gaussian) };
+const once = { peak_pressure: math.kept(peak_pressure), pull_off: math.kept(pull_off), pull_off_of_gaussian: math.kept(pull_off_of_gaussian) };
 const formulas = {
   "d": (v) => depth(v.a, v.h, v.s),
   "F": (v) => force(v.a, v.h, v.s, v.E_star),
@@ -2605,6 +2664,8 @@ const formulas = {
   "pm": (v) => mean_pressure(v.a, v.h, v.s, v.E_star),
   "U": (v) => energy(v.a, v.h, v.s, v.E_star),
   "Fr": (v) => load_within(v.r, v.a, v.h, v.s, v.E_star),
+  "rp": (v) => (once.peak_pressure(v.a, v.h, v.s, v.E_star).radius ?? NaN),
+  "pp": (v) => (once.peak_pressure(v.a, v.h, v.s, v.E_star).pressure ?? NaN),
   "ad": (v) => radius_from_depth(v.d, v.h, v.s),
   "aF": (v) => radius_from_force(v.F, v.h, v.s, v.E_star),
   "Fd": (v) => force_from_depth(v.d, v.h, v.s, v.E_star),
@@ -3048,6 +3109,32 @@ window.calculator = { ...{
    "unit": "N",
    "place": "inside",
    "suffix": "Fr",
+   "medium": 0
+  },
+  "rp": {
+   "gives": "r_peak",
+   "needs": [
+    "a",
+    "h",
+    "s",
+    "E_star"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "",
+   "medium": 0
+  },
+  "pp": {
+   "gives": "p_peak",
+   "needs": [
+    "a",
+    "h",
+    "s",
+    "E_star"
+   ],
+   "unit": "Pa",
+   "place": "",
+   "suffix": "",
    "medium": 0
   },
   "ad": {

@@ -6,7 +6,7 @@ from math import atan2, cos, fsum, hypot, inf, sin, tan
 
 from ...._programs.bodies.normal import cone as normal
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_of_zone
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_of_zone, zone_like
 from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii, radius_of_pull_off, radius_under, state_near
 from ....cohesive.cone import partial
 from ...._runtime.plain import log1p, sqrt, rule, MATH as np
@@ -84,7 +84,8 @@ def _growth(a, theta):
 
 
 def _radii(theta, E_star, dgamma, sigma_0):
-    first = _zone(np.zeros_like(sigma_0), theta, E_star, dgamma, sigma_0)
+    a = np.zeros_like(sigma_0)
+    first = zone_like(partial(_opened, theta=theta), a, E_star, dgamma, sigma_0)
     return radii(first)
 
 

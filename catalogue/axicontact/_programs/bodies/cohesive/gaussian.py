@@ -7,7 +7,7 @@ from math import atan2, cos, fsum, hypot, inf, nan, sin
 from ...._programs.bodies.normal import gaussian as normal
 from ...._programs.bodies._runtime.integrals import difference_root
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_of_zone, zone_within
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_of_zone, zone_like, zone_within
 from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii_on_bump, radius_of_pull_off, radius_under, state_near
 from ....cohesive.gaussian import partial
 from ...._runtime.plain import sqrt, rule, MATH as np
@@ -142,7 +142,10 @@ def _growth(a, h, s):
 
 
 def _radii(h, s, E_star, dgamma, sigma_0):
-    first = _zone(np.zeros_like(sigma_0), h, s, E_star, dgamma, sigma_0)
+    a = np.zeros_like(sigma_0)
+    largest = difference_root(1.5019752682686114 * s, a)
+    a = zone_within(partial(_opened, h=h, s=s), a, E_star, dgamma, sigma_0, largest)
+    first = np.nan if np.isnan(a) else zone_like(partial(_opened, h=h, s=s), a, E_star, dgamma, sigma_0, largest)
     return radii_on_bump(first, 1.5019752682686114 * s)
 
 

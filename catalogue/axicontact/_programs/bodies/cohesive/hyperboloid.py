@@ -6,7 +6,7 @@ from math import asinh, atan, atan2, cos, cosh, exp, expm1, fsum, hypot, inf, si
 
 from ...._programs.bodies.normal import hyperboloid as normal
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_of_zone
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_of_zone, zone_like
 from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii, radius_of_pull_off, radius_under, state_near
 from ....cohesive.hyperboloid import partial
 from ...._runtime.plain import sqrt, rule, MATH as np
@@ -126,7 +126,8 @@ def _growth(a, theta, b):
 
 
 def _radii(theta, b, E_star, dgamma, sigma_0):
-    first = _zone(np.zeros_like(sigma_0), theta, b, E_star, dgamma, sigma_0)
+    a = np.zeros_like(sigma_0)
+    first = zone_like(partial(_opened, theta=theta, b=b), a, E_star, dgamma, sigma_0)
     return radii(first)
 
 

@@ -8,7 +8,7 @@ from ...._programs.bodies.normal import polynomial as normal
 from ...._programs.bodies._runtime.functions import depth_over_height
 from ...._programs.bodies._runtime.integrals import difference_root
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening, outer_radius, pull_of_zone, root_of_zone, sunk, tension_of_zone, work_of_zone
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening, outer_radius, pull_of_zone, root_of_zone, sunk, tension_of_zone, work_of_zone, zone_like
 from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii, radius_of_pull_off, radius_under, state_near
 from ....cohesive.polynomial import partial
 from ...._runtime.plain import MATH as np
@@ -73,7 +73,8 @@ def _growth(a, A):
 
 
 def _radii(A, E_star, dgamma, sigma_0):
-    first = _zone(np.zeros_like(sigma_0), A, E_star, dgamma, sigma_0)
+    a = np.zeros_like(sigma_0)
+    first = zone_like(partial(_opened, A=A), a, E_star, dgamma, sigma_0)
     return radii(first)
 
 

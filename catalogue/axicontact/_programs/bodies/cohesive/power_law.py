@@ -6,7 +6,7 @@ from math import asinh, atan, atan2, cosh, exp, expm1, fsum, hypot, inf, isfinit
 
 from ...._programs.bodies.normal import power_law as normal
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_of_zone
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_of_zone, zone_like
 from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii, radius_of_pull_off, radius_under, state_near
 from ....cohesive.power_law import partial
 from ...._runtime.plain import log, log1p, sqrt, rule, MATH as np
@@ -146,7 +146,8 @@ def _growth(a, A, n):
 
 
 def _radii(A, n, E_star, dgamma, sigma_0):
-    first = _zone(np.zeros_like(sigma_0), A, n, E_star, dgamma, sigma_0)
+    a = np.zeros_like(sigma_0)
+    first = zone_like(partial(_opened, A=A, n=n), a, E_star, dgamma, sigma_0)
     return radii(first)
 
 

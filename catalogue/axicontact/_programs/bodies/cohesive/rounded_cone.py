@@ -6,7 +6,7 @@ from math import asinh, atan, atan2, cos, cosh, exp, expm1, fsum, hypot, inf, ne
 
 from ...._programs.bodies.normal import rounded_cone as normal
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_of_zone
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_of_zone, zone_like
 from ...._programs.bodies._runtime.physics.cohesive_states import parted_by, radii_by, radius_of_pull_off, radius_under, state_near
 from ....cohesive.rounded_cone import partial
 from ...._runtime.plain import sqrt, rule, MATH as np
@@ -188,7 +188,8 @@ def _growth(a, theta, b):
 
 
 def _radii(theta, b, E_star, dgamma, sigma_0):
-    first = _zone(np.zeros_like(sigma_0), theta, b, E_star, dgamma, sigma_0)
+    a = np.zeros_like(sigma_0)
+    first = zone_like(partial(_opened, theta=theta, b=b), a, E_star, dgamma, sigma_0)
     return radii_by(first, b)
 
 

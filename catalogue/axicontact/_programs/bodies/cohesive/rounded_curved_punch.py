@@ -6,7 +6,7 @@ from math import asinh, atan, atan2, cos, cosh, exp, expm1, fsum, hypot, inf, ne
 
 from ...._programs.bodies.normal import rounded_curved_punch as normal
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_of_zone
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_of_zone, zone_like
 from ...._programs.bodies._runtime.physics.cohesive_states import parted_by, radii_by, radius_of_pull_off, radius_under, state_near
 from ....cohesive.rounded_curved_punch import partial
 from ...._runtime.plain import sqrt, rule, MATH as np
@@ -198,7 +198,8 @@ def _growth(a, R1, R2, b):
 
 
 def _radii(R1, R2, b, E_star, dgamma, sigma_0):
-    first = _zone(np.zeros_like(sigma_0), R1, R2, b, E_star, dgamma, sigma_0)
+    a = np.zeros_like(sigma_0)
+    first = zone_like(partial(_opened, R1=R1, R2=R2, b=b), a, E_star, dgamma, sigma_0)
     return radii_by(first, b)
 
 

@@ -6,7 +6,7 @@ from math import asinh, atan, atan2, cos, cosh, exp, expm1, fsum, hypot, inf, na
 
 from ...._programs.bodies.normal import rounded_punch as normal
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_of_zone
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_of_zone, zone_like
 from ...._programs.bodies._runtime.physics.cohesive_states import parted_by, radii_by, radius_of_pull_off, radius_under, state_near
 from ....cohesive.rounded_punch import partial
 from ...._runtime.plain import sqrt, rule, MATH as np
@@ -180,7 +180,8 @@ def _growth(a, R, b):
 
 
 def _radii(R, b, E_star, dgamma, sigma_0):
-    first = _zone(np.zeros_like(sigma_0), R, b, E_star, dgamma, sigma_0)
+    a = np.zeros_like(sigma_0)
+    first = zone_like(partial(_opened, R=R, b=b), a, E_star, dgamma, sigma_0)
     return radii_by(first, b)
 
 

@@ -6,7 +6,7 @@ from math import atan2, cos, fsum, hypot, inf, pow, sin
 
 from ...._programs.bodies.normal import sextic as normal
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_of_zone
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_of_zone, zone_like
 from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii, radius_of_pull_off, radius_under, state_near
 from ....cohesive.sextic import partial
 from ...._runtime.plain import sqrt, rule, MATH as np
@@ -93,7 +93,8 @@ def _growth(a, A):
 
 
 def _radii(A, E_star, dgamma, sigma_0):
-    first = _zone(np.zeros_like(sigma_0), A, E_star, dgamma, sigma_0)
+    a = np.zeros_like(sigma_0)
+    first = zone_like(partial(_opened, A=A), a, E_star, dgamma, sigma_0)
     return radii(first)
 
 

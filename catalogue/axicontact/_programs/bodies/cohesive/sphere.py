@@ -7,7 +7,7 @@ from math import asinh, atan2, cos, cosh, fsum, hypot, inf, sin, sinh
 from ...._programs.bodies.normal import sphere as normal
 from ...._programs.bodies._runtime.integrals import difference_root
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_of_zone, tension_of_zone, zone_within
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_of_zone, tension_of_zone, zone_like, zone_within
 from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii_up_to, radius_of_pull_off, radius_under, state_near
 from ....cohesive.sphere import partial
 from ...._runtime.plain import log1p, sqrt, rule, MATH as np
@@ -106,7 +106,10 @@ def _growth(a, R):
 
 
 def _radii(R, E_star, dgamma, sigma_0):
-    first = _zone(np.zeros_like(sigma_0), R, E_star, dgamma, sigma_0)
+    a = np.zeros_like(sigma_0)
+    largest = difference_root(R, a)
+    a = zone_within(partial(_opened, R=R), a, E_star, dgamma, sigma_0, largest)
+    first = np.nan if np.isnan(a) else zone_like(partial(_opened, R=R), a, E_star, dgamma, sigma_0, largest)
     return radii_up_to(first, R)
 
 

@@ -6,7 +6,7 @@ from math import asinh, atan2, cos, cosh, exp, expm1, fsum, hypot, inf, sin, sin
 
 from ...._programs.bodies.normal import sphere_tipped_cone as normal
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_of_zone, tension_of_zone
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, outer_radius, root_of_zone, tension_of_zone, zone_like
 from ...._programs.bodies._runtime.physics.cohesive_states import parted_by, radii_by, radius_of_pull_off, radius_under, state_near
 from ....cohesive.sphere_tipped_cone import partial
 from ...._runtime.plain import log1p, sqrt, rule, MATH as np
@@ -185,7 +185,8 @@ def _growth(a, R, theta):
 
 
 def _radii(R, theta, E_star, dgamma, sigma_0):
-    first = _zone(np.zeros_like(sigma_0), R, theta, E_star, dgamma, sigma_0)
+    a = np.zeros_like(sigma_0)
+    first = zone_like(partial(_opened, R=R, theta=theta), a, E_star, dgamma, sigma_0)
     return radii_by(first, R * np.sin(theta))
 
 

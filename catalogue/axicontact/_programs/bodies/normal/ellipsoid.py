@@ -19,6 +19,10 @@ def _depth_at(a, root, h, b):
     return h / b * a * asinh(a / root)
 
 
+def _depth(a, h, b):
+    return h / b * a * (log1p(2.0 * a / (b - a)) / 2.0)
+
+
 def _force_at(a, root, h, b, E_star):
     v6 = asinh(a / root)
     v8 = tanh(v6)

@@ -19,6 +19,10 @@ def _depth_at(a, root):
     return a * asinh(a / root)
 
 
+def _depth(a, R):
+    return a * (log1p(2.0 * a / (R - a)) / 2.0)
+
+
 def _force_at(a, root, R, E_star):
     v5 = asinh(a / root)
     v10 = tanh(v5)

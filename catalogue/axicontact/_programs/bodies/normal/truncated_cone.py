@@ -19,6 +19,10 @@ def _depth_at(a, root, theta, b):
     return tan(theta) * a * atan(root / b)
 
 
+def _depth(a, theta, b):
+    return tan(theta) * a * atan(sqrt((a - b) * (a + b)) / b)
+
+
 def _force_at(a, root, theta, b, E_star):
     return E_star * tan(theta) * (a * a * atan(root / b) + b * root)
 

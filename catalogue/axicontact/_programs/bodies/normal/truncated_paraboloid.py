@@ -18,6 +18,10 @@ def _depth_at(a, root, R):
     return a * root / R
 
 
+def _depth(a, R, b):
+    return a * sqrt((a - b) * (a + b)) / R
+
+
 def _force_at(a, root, R, b, E_star):
     return 2.0 * E_star / (3.0 * R) * (2.0 * (a * a) + b * b) * root
 

@@ -4,8 +4,23 @@ from __future__ import annotations
 
 
 from ...._programs.bodies.normal import rounded_cone as normal
-from ...._programs.bodies._runtime.physics.relaxation import creep_kelvin_voigt, creep_maxwell, creep_power_creep, creep_standard_solid, relaxation_kelvin_voigt, relaxation_maxwell, relaxation_power_creep, relaxation_standard_solid
-from ...._programs.bodies._runtime.physics.retraction import earlier, end_power_creep, end_standard_solid, lag_kelvin_voigt, lag_maxwell, lag_power_creep, lag_standard_solid
+from ...._programs.bodies._runtime.physics.relaxation import creep_kelvin_voigt, creep_maxwell, creep_power_creep, creep_standard_solid, left_maxwell, left_power_creep, left_standard_solid, relaxation_kelvin_voigt, relaxation_maxwell, relaxation_power_creep, relaxation_standard_solid
+from ...._programs.bodies._runtime.physics.retraction import earlier, end_power_creep, end_standard_solid, lag_kelvin_voigt, lag_maxwell, lag_power_creep, lag_standard_solid, passed
+from ...._runtime.physics.single import springs
+from ...._runtime.plain import MATH as np
+
+
+def _pressed_maxwell(t_1, since, v, theta, b, E, tau):
+    a = normal._radius_from_depth(v * t_1, theta, b)
+
+    def left(x):
+        pressed = t_1 - normal._depth(x, theta, b) / v
+        return left_maxwell(np.maximum(pressed, 0.0), since, E, tau)
+    return 2.0 * v * (springs(left, 0.0 * a, np.minimum(a, b)) + springs(left, np.minimum(a, b), a))
+
+
+def _ramp_force_maxwell(t, v, theta, b, E, tau):
+    return _pressed_maxwell(t, 0.0 * t, v, theta, b, E, tau)
 
 
 def _step_force_maxwell(t, d, theta, b, E, tau):
@@ -19,6 +34,13 @@ def _step_load_radius_maxwell(t, F, theta, b, E, tau):
 def _retract_radius_maxwell(t, v, v_2, t_m, t_h, theta, b, E, tau):
     t_1 = earlier(t, t_m, lag_maxwell(t, t_m, t_h, v_2 / v, E, tau))
     return 0.0 if t_1 <= 0.0 else normal._radius_from_depth(v * t_1, theta, b)
+
+
+def _retract_force_maxwell(t, v, v_2, t_m, t_h, theta, b, E, tau):
+    lag = lag_maxwell(t, t_m, t_h, v_2 / v, E, tau)
+    t_1 = earlier(t, t_m, lag)
+    since = passed(t, t_m, lag) if t > t_m else 0.0
+    return _pressed_maxwell(t_1, since, v, theta, b, E, tau) if t_1 > 0.0 else 0.0
 
 
 def _ramp_force_kelvin_voigt(t, v, theta, b, E, eta):
@@ -41,8 +63,20 @@ def _retract_radius_kelvin_voigt(t, v, v_2, t_m, t_h, theta, b, E, eta):
 def _retract_force_kelvin_voigt(t, v, v_2, t_m, t_h, theta, b, E, eta):
     lag = lag_kelvin_voigt(t, t_m, t_h, v_2 / v, E, eta)
     t_1 = earlier(t, t_m, lag)
-    back = normal._force_from_depth(v * t_1, theta, b, 1.0) * E
-    return (back if t_1 > 0.0 else 0.0) if t > t_m else _ramp_force_kelvin_voigt(t, v, theta, b, E, eta)
+    return (normal._force_from_depth(v * t_1, theta, b, 1.0) * E if t_1 > 0.0 else 0.0) if t > t_m else _ramp_force_kelvin_voigt(t, v, theta, b, E, eta)
+
+
+def _pressed_standard_solid(t_1, since, v, theta, b, E_inf, E_1, tau):
+    a = normal._radius_from_depth(v * t_1, theta, b)
+
+    def left(x):
+        pressed = t_1 - normal._depth(x, theta, b) / v
+        return left_standard_solid(np.maximum(pressed, 0.0), since, E_inf, E_1, tau)
+    return 2.0 * v * (springs(left, 0.0 * a, np.minimum(a, b)) + springs(left, np.minimum(a, b), a))
+
+
+def _ramp_force_standard_solid(t, v, theta, b, E_inf, E_1, tau):
+    return _pressed_standard_solid(t, 0.0 * t, v, theta, b, E_inf, E_1, tau)
 
 
 def _step_force_standard_solid(t, d, theta, b, E_inf, E_1, tau):
@@ -62,8 +96,28 @@ def _retract_radius_standard_solid(t, v, v_2, t_m, t_h, theta, b, E_inf, E_1, ta
     return 0.0 if t_1 <= 0.0 else normal._radius_from_depth(v * t_1, theta, b)
 
 
+def _retract_force_standard_solid(t, v, v_2, t_m, t_h, theta, b, E_inf, E_1, tau):
+    lag = lag_standard_solid(t, t_m, t_h, v_2 / v, E_inf, E_1, tau)
+    t_1 = earlier(t, t_m, lag)
+    since = passed(t, t_m, lag) if t > t_m else 0.0
+    return _pressed_standard_solid(t_1, since, v, theta, b, E_inf, E_1, tau) if t_1 > 0.0 else 0.0
+
+
 def _contact_time_standard_solid(v, v_2, t_m, t_h, E_inf, E_1, tau):
     return end_standard_solid(v_2 / v, t_m, t_h, E_inf, E_1, tau)
+
+
+def _pressed_power_creep(t_1, since, v, theta, b, E, alpha, t_0):
+    a = normal._radius_from_depth(v * t_1, theta, b)
+
+    def left(x):
+        pressed = t_1 - normal._depth(x, theta, b) / v
+        return left_power_creep(np.maximum(pressed, 0.0), since, E, alpha, t_0)
+    return 2.0 * v * (springs(left, 0.0 * a, np.minimum(a, b)) + springs(left, np.minimum(a, b), a))
+
+
+def _ramp_force_power_creep(t, v, theta, b, E, alpha, t_0):
+    return _pressed_power_creep(t, 0.0 * t, v, theta, b, E, alpha, t_0)
 
 
 def _step_force_power_creep(t, d, theta, b, E, alpha, t_0):
@@ -77,6 +131,13 @@ def _step_load_radius_power_creep(t, F, theta, b, E, alpha, t_0):
 def _retract_radius_power_creep(t, v, v_2, t_m, t_h, theta, b, E, alpha, t_0):
     t_1 = earlier(t, t_m, lag_power_creep(t, t_m, t_h, v_2 / v, E, alpha, t_0))
     return 0.0 if t_1 <= 0.0 else normal._radius_from_depth(v * t_1, theta, b)
+
+
+def _retract_force_power_creep(t, v, v_2, t_m, t_h, theta, b, E, alpha, t_0):
+    lag = lag_power_creep(t, t_m, t_h, v_2 / v, E, alpha, t_0)
+    t_1 = earlier(t, t_m, lag)
+    since = passed(t, t_m, lag) if t > t_m else 0.0
+    return _pressed_power_creep(t_1, since, v, theta, b, E, alpha, t_0) if t_1 > 0.0 else 0.0
 
 
 def _contact_time_power_creep(v, v_2, t_m, t_h, E, alpha, t_0):

@@ -53,10 +53,10 @@ def zone(xp, a, theta, E_star, dgamma, sigma_0):
         v79 = 1.2732395447351628 * (sigma_0 / E_star)
         v82 = v64 / (v65 + a)
         v85 = 0.6366197723675814 * v65 * v76 + v79 * v64 * (v67 - v82)
-        v87 = v64 / v65
-        v95 = 3.141592653589793 * xp.tan(theta) / 2.0 * xp.cos(0.0 + v16 * v67)
-        v102 = 0.6366197723675814 * (v67 * xp.sum(v17 * v95, axis=0)) + v79 * (v67 / v87 - v87 * v82)
-        return (v85, v64 / v85 * v87 * v102)
+        v86 = v64 / v65
+        v94 = 3.141592653589793 * xp.tan(theta) / 2.0 * xp.cos(0.0 + v16 * v67)
+        v101 = 0.6366197723675814 * (v67 * xp.sum(v17 * v94, axis=0)) + v79 * (v67 / v86 - v86 * v82)
+        return (v85, v64 * v86 * v101 / v85)
     v104 = newton(xp, f61, v1, xp.minimum(v12 * v59 ** (-1.0 / v52), xp.inf), xp.inf, 0.5, 4.0)
     return v104
 

@@ -62,10 +62,10 @@ def zone(xp, a, h, s, E_star, dgamma, sigma_0):
         v103 = 1.2732395447351628 * (sigma_0 / E_star)
         v106 = v88 / (v89 + v25)
         v109 = 0.6366197723675814 * v89 * (v91 * xp.sum(v9 * v99, axis=0)) + v103 * v88 * (v91 - v106)
-        v111 = v88 / v89
-        v115 = xp.cos(0.0 + v8 * v91)
-        v120 = 0.6366197723675814 * (v91 * xp.sum(v9 * (normal_slope(xp, v89 * v115, h, s) * v115), axis=0))
-        return (v109, v88 / v109 * v111 * (v120 + v103 * (v91 / v111 - v111 * v106)))
+        v110 = v88 / v89
+        v114 = xp.cos(0.0 + v8 * v91)
+        v119 = 0.6366197723675814 * (v91 * xp.sum(v9 * (normal_slope(xp, v89 * v114, h, s) * v114), axis=0))
+        return (v109, v88 * v110 * (v119 + v103 * (v91 / v110 - v110 * v106)) / v109)
     v87 = xp.minimum(v39 * ((v52 * v53) ** (v76 / v72) + v82) ** (-1.0 / v76), v4)
     return xp.where(xp.isnan(v25), xp.nan, newton(xp, f85, v27, v87, v2, 0.5, 4.0))
 

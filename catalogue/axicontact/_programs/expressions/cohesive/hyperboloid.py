@@ -82,14 +82,14 @@ def zone(xp, a, theta, b, E_star, dgamma, sigma_0):
         v152 = v104 / (v105 + a)
         v147 = 0.6366197723675814 * v105 * (v126 * xp.sum(v36 * (v143 * xp.sin(v135)), axis=0))
         v155 = v147 + v149 * v104 * (v107 - v152)
-        v157 = v104 / v105
-        v159 = v35 * v126
-        v161 = xp.arcsinh(v111)
-        v162 = 0.5 * v159
-        v168 = xp.cos(2.0 * v109 * xp.cosh(v161 - v162) * xp.sinh(v162))
-        v175 = normal_slope(xp, v105 * v168, theta, b) * v109 * xp.cosh(v161 - v159) * v168
-        v177 = 0.6366197723675814 * (v126 * xp.sum(v36 * v175, axis=0))
-        return (v155, v104 / v155 * v157 * (v177 + v149 * (v107 / v157 - v157 * v152)))
+        v156 = v104 / v105
+        v158 = v35 * v126
+        v160 = xp.arcsinh(v111)
+        v161 = 0.5 * v158
+        v167 = xp.cos(2.0 * v109 * xp.cosh(v160 - v161) * xp.sinh(v161))
+        v174 = normal_slope(xp, v105 * v167, theta, b) * v109 * xp.cosh(v160 - v158) * v167
+        v176 = 0.6366197723675814 * (v126 * xp.sum(v36 * v174, axis=0))
+        return (v155, v104 * v156 * (v176 + v149 * (v107 / v156 - v156 * v152)) / v155)
     v184 = newton(xp, f101, v1, xp.minimum(v12 * v99 ** (-1.0 / v92), xp.inf), xp.inf, 0.5, 4.0)
     return v184
 

@@ -52,10 +52,10 @@ def zone(xp, a, R, E_star, dgamma, sigma_0):
         v81 = 1.2732395447351628 * (sigma_0 / E_star)
         v84 = v65 / (v66 + a)
         v87 = 0.6366197723675814 * v66 * v78 + v81 * v65 * (v68 - v84)
-        v89 = v65 / v66
-        v93 = xp.cos(0.0 + v16 * v68)
-        v99 = 0.6366197723675814 * (v68 * xp.sum(v17 * (2.0 * (v66 * v93) / R * v93), axis=0))
-        return (v87, v65 / v87 * v89 * (v99 + v81 * (v68 / v89 - v89 * v84)))
+        v88 = v65 / v66
+        v92 = xp.cos(0.0 + v16 * v68)
+        v98 = 0.6366197723675814 * (v68 * xp.sum(v17 * (2.0 * (v66 * v92) / R * v92), axis=0))
+        return (v87, v65 * v88 * (v98 + v81 * (v68 / v88 - v88 * v84)) / v87)
     v106 = newton(xp, f62, v1, xp.minimum(v12 * v60 ** (-1.0 / v53), xp.inf), xp.inf, 0.5, 4.0)
     return v106
 

@@ -79,16 +79,16 @@ def zone(xp, a, A, E_star, dgamma, sigma_0):
         v109 = 1.2732395447351628 * (sigma_0 / E_star)
         v112 = v84 / (v85 + a)
         v115 = 0.6366197723675814 * v85 * (v87 * xp.sum(v17 * v105, axis=0)) + v109 * v84 * (v87 - v112)
-        v117 = v84 / v85
-        v119 = v16 * v87
+        v116 = v84 / v85
+        v118 = v16 * v87
 
-        def f123(j, A_j):
-            v120 = A_j > 0.0
-            v124 = j * depth_over_height(j) * xp.where(v120, A_j, 1.0)
-            return xp.where(v120, v124 * (v85 * xp.cos(0.0 + v119)) ** (j - 1.0), 0.0)
-        v135 = sum([f123(j, A_j) for j, A_j in numbered(A)]) * xp.cos(0.0 + v119)
-        v137 = 0.6366197723675814 * (v87 * xp.sum(v17 * v135, axis=0))
-        return (v115, v84 / v115 * v117 * (v137 + v109 * (v87 / v117 - v117 * v112)))
+        def f122(j, A_j):
+            v119 = A_j > 0.0
+            v123 = j * depth_over_height(j) * xp.where(v119, A_j, 1.0)
+            return xp.where(v119, v123 * (v85 * xp.cos(0.0 + v118)) ** (j - 1.0), 0.0)
+        v134 = sum([f122(j, A_j) for j, A_j in numbered(A)]) * xp.cos(0.0 + v118)
+        v136 = 0.6366197723675814 * (v87 * xp.sum(v17 * v134, axis=0))
+        return (v115, v84 * v116 * (v136 + v109 * (v87 / v116 - v116 * v112)) / v115)
     v144 = newton(xp, f85, v1, xp.minimum(v12 * v79 ** (-1.0 / v72), xp.inf), xp.inf, 0.5, 4.0)
     return v144
 

@@ -82,12 +82,12 @@ def zone(xp, a, A, n, E_star, dgamma, sigma_0):
         v120 = v88 / (v89 + a)
         v114 = 0.6366197723675814 * v89 * (v99 * xp.sum(v34 * (v110 * (v108 / v102)), axis=0))
         v123 = v114 + v116 * v88 * (v118 - v120)
-        v125 = v88 / v89
-        v127 = v33 * v99
-        v129 = xp.cosh(xp.sinh(v127))
-        v135 = normal_slope(xp, v89 / v129, A, n) / v129 * xp.cosh(v127) / v129
-        v137 = 0.6366197723675814 * (v99 * xp.sum(v34 * v135, axis=0))
-        return (v123, v88 / v123 * v125 * (v137 + v116 * (v118 / v125 - v125 * v120)))
+        v124 = v88 / v89
+        v126 = v33 * v99
+        v128 = xp.cosh(xp.sinh(v126))
+        v134 = normal_slope(xp, v89 / v128, A, n) / v128 * xp.cosh(v126) / v128
+        v136 = 0.6366197723675814 * (v99 * xp.sum(v34 * v134, axis=0))
+        return (v123, v88 * v124 * (v136 + v116 * (v118 / v124 - v124 * v120)) / v123)
     v144 = newton(xp, f85, v1, xp.minimum(v12 * v83 ** (-1.0 / v76), xp.inf), xp.inf, 0.5, 4.0)
     return v144
 

@@ -235,18 +235,18 @@ def zone(xp, a, theta, b, E_star, dgamma, sigma_0):
         v406 = 1.2732395447351628 * (sigma_0 / E_star)
         v409 = v272 / (v273 + a)
         v412 = v318 + 0.6366197723675814 * v402 + v406 * v272 * (v275 - v409)
-        v414 = v272 / v273
-        v418 = xp.cos(v305 + v78 * v306)
-        v423 = normal_slope(xp, xp.minimum(xp.absolute(v273 * v418), b), theta, b) * v418
-        v426 = v78 * v373
-        v429 = xp.arcsinh(v358)
-        v430 = 0.5 * v426
-        v437 = xp.maximum(xp.cos(2.0 * v356 * xp.cosh(v429 - v430) * xp.sinh(v430)), 1e-17)
-        v438 = v354 * v437
-        v444 = normal_slope_beyond(xp, xp.sqrt(b * b + v438 * v438), v438, theta, b) * v438 * v356
-        v450 = 0.6366197723675814 * (v373 * xp.sum(v79 * (v444 * xp.cosh(v429 - v426) / v273), axis=0))
-        v451 = 0.6366197723675814 * (v306 * xp.sum(v79 * v423, axis=0)) + v450
-        return (v412, v272 / v412 * v414 * (v451 + v406 * (v275 / v414 - v414 * v409)))
+        v413 = v272 / v273
+        v417 = xp.cos(v305 + v78 * v306)
+        v422 = normal_slope(xp, xp.minimum(xp.absolute(v273 * v417), b), theta, b) * v417
+        v425 = v78 * v373
+        v428 = xp.arcsinh(v358)
+        v429 = 0.5 * v425
+        v436 = xp.maximum(xp.cos(2.0 * v356 * xp.cosh(v428 - v429) * xp.sinh(v429)), 1e-17)
+        v437 = v354 * v436
+        v443 = normal_slope_beyond(xp, xp.sqrt(b * b + v437 * v437), v437, theta, b) * v437 * v356
+        v449 = 0.6366197723675814 * (v373 * xp.sum(v79 * (v443 * xp.cosh(v428 - v425) / v273), axis=0))
+        v450 = 0.6366197723675814 * (v306 * xp.sum(v79 * v422, axis=0)) + v449
+        return (v412, v272 * v413 * (v450 + v406 * (v275 / v413 - v413 * v409)) / v412)
     v271 = xp.minimum(v12 * ((v208 * v209) ** (v260 / v256) + v266) ** (-1.0 / v260), xp.inf)
     return newton(xp, f269, v1, v271, xp.inf, 0.5, 4.0)
 

@@ -232,18 +232,18 @@ def zone(xp, a, R1, R2, b, E_star, dgamma, sigma_0):
         v412 = v274 / (v275 + a)
         v407 = 0.6366197723675814 * v275 * (v308 * xp.sum(v79 * v319, axis=0)) + 0.6366197723675814 * v405
         v415 = v407 + v409 * v274 * (v277 - v412)
-        v417 = v274 / v275
-        v421 = xp.cos(v307 + v78 * v308)
-        v428 = v308 * xp.sum(v79 * (2.0 * xp.minimum(xp.absolute(v275 * v421), b) / R1 * v421), axis=0)
-        v430 = v78 * v376
-        v433 = xp.arcsinh(v361)
-        v434 = 0.5 * v430
-        v441 = xp.maximum(xp.cos(2.0 * v359 * xp.cosh(v433 - v434) * xp.sinh(v434)), 1e-17)
-        v442 = v357 * v441
-        v448 = normal_slope_beyond(xp, xp.sqrt(b * b + v442 * v442), v442, R1, R2, b) * v442 * v359
-        v454 = 0.6366197723675814 * (v376 * xp.sum(v79 * (v448 * xp.cosh(v433 - v430) / v275), axis=0))
-        v460 = 0.6366197723675814 * v428 + v454 + v409 * (v277 / v417 - v417 * v412)
-        return (v415, v274 / v415 * v417 * v460)
+        v416 = v274 / v275
+        v420 = xp.cos(v307 + v78 * v308)
+        v427 = v308 * xp.sum(v79 * (2.0 * xp.minimum(xp.absolute(v275 * v420), b) / R1 * v420), axis=0)
+        v429 = v78 * v376
+        v432 = xp.arcsinh(v361)
+        v433 = 0.5 * v429
+        v440 = xp.maximum(xp.cos(2.0 * v359 * xp.cosh(v432 - v433) * xp.sinh(v433)), 1e-17)
+        v441 = v357 * v440
+        v447 = normal_slope_beyond(xp, xp.sqrt(b * b + v441 * v441), v441, R1, R2, b) * v441 * v359
+        v453 = 0.6366197723675814 * (v376 * xp.sum(v79 * (v447 * xp.cosh(v432 - v429) / v275), axis=0))
+        v460 = v274 * v416 * (0.6366197723675814 * v427 + v453 + v409 * (v277 / v416 - v416 * v412))
+        return (v415, v460 / v415)
     v273 = xp.minimum(v12 * ((v209 * v210) ** (v262 / v258) + v268) ** (-1.0 / v262), xp.inf)
     return newton(xp, f271, v1, v273, xp.inf, 0.5, 4.0)
 

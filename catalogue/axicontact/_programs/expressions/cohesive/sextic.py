@@ -54,10 +54,10 @@ def zone(xp, a, A, E_star, dgamma, sigma_0):
         v78 = 1.2732395447351628 * (sigma_0 / E_star)
         v81 = v63 / (v64 + a)
         v84 = 0.6366197723675814 * v64 * v75 + v78 * v63 * (v66 - v81)
-        v86 = v63 / v64
-        v90 = xp.cos(0.0 + v16 * v66)
-        v95 = 0.6366197723675814 * (v66 * xp.sum(v17 * (normal_slope(xp, v64 * v90, A) * v90), axis=0))
-        return (v84, v63 / v84 * v86 * (v95 + v78 * (v66 / v86 - v86 * v81)))
+        v85 = v63 / v64
+        v89 = xp.cos(0.0 + v16 * v66)
+        v94 = 0.6366197723675814 * (v66 * xp.sum(v17 * (normal_slope(xp, v64 * v89, A) * v89), axis=0))
+        return (v84, v63 * v85 * (v94 + v78 * (v66 / v85 - v85 * v81)) / v84)
     v102 = newton(xp, f60, v1, xp.minimum(v12 * v58 ** (-1.0 / v51), xp.inf), xp.inf, 0.5, 4.0)
     return v102
 

@@ -112,13 +112,13 @@ def zone(xp, a, R, E_star, dgamma, sigma_0):
         v182 = v141 / (v150 + v47)
         v177 = v155 * v150 * (v161 * xp.sum(v25 * (v171 * xp.cosh(v162) * v164 * v167), axis=0))
         v185 = v177 + v179 * v141 * (v157 - v182)
-        v187 = v141 / v150
-        v189 = v24 * v161
-        v191 = v159 * xp.sinh(v189)
-        v192 = xp.cos(v191)
-        v198 = normal_slope(xp, v150 * v192, xp.hypot(v149, v150 * xp.sin(v191)), R) * v159
-        v203 = v155 * (v161 * xp.sum(v25 * (v198 * xp.cosh(v189) * v192), axis=0))
-        return (v185, v141 / v185 * v187 * (v203 + v179 * (v157 / v187 - v187 * v182)))
+        v186 = v141 / v150
+        v188 = v24 * v161
+        v190 = v159 * xp.sinh(v188)
+        v191 = xp.cos(v190)
+        v197 = normal_slope(xp, v150 * v191, xp.hypot(v149, v150 * xp.sin(v190)), R) * v159
+        v202 = v155 * (v161 * xp.sum(v25 * (v197 * xp.cosh(v188) * v191), axis=0))
+        return (v185, v141 * v186 * (v202 + v179 * (v157 / v186 - v186 * v182)) / v185)
     v140 = xp.minimum(v61 * ((v98 * v99) ** (v129 / v125) + v135) ** (-1.0 / v129), v3)
     return xp.where(xp.isnan(v47), xp.nan, newton(xp, f138, v49, v140, v1, 0.5, 4.0))
 

@@ -242,19 +242,19 @@ def zone(xp, a, R, theta, E_star, dgamma, sigma_0):
         v423 = v282 / (v283 + a)
         v418 = 0.6366197723675814 * v283 * (v316 * xp.sum(v81 * v330, axis=0)) + 0.6366197723675814 * v416
         v426 = v418 + v420 * v282 * (v285 - v423)
-        v428 = v282 / v283
-        v432 = xp.cos(v315 + v80 * v316)
-        v435 = xp.minimum(xp.absolute(v283 * v432), v17)
-        v441 = normal_slope(xp, v435, xp.sqrt((R - v435) * (R + v435)), R) * v432
-        v444 = v80 * v387
-        v447 = xp.arcsinh(v372)
-        v448 = 0.5 * v444
-        v455 = xp.maximum(xp.cos(2.0 * v370 * xp.cosh(v447 - v448) * xp.sinh(v448)), 1e-17)
-        v456 = v368 * v455
-        v461 = normal_slope_beyond(xp, xp.sqrt(v17 * v17 + v456 * v456), v456, R, theta) * v456
-        v467 = v387 * xp.sum(v81 * (v461 * v370 * xp.cosh(v447 - v444) / v283), axis=0)
-        v469 = 0.6366197723675814 * (v316 * xp.sum(v81 * v441, axis=0)) + 0.6366197723675814 * v467
-        return (v426, v282 / v426 * v428 * (v469 + v420 * (v285 / v428 - v428 * v423)))
+        v427 = v282 / v283
+        v431 = xp.cos(v315 + v80 * v316)
+        v434 = xp.minimum(xp.absolute(v283 * v431), v17)
+        v440 = normal_slope(xp, v434, xp.sqrt((R - v434) * (R + v434)), R) * v431
+        v443 = v80 * v387
+        v446 = xp.arcsinh(v372)
+        v447 = 0.5 * v443
+        v454 = xp.maximum(xp.cos(2.0 * v370 * xp.cosh(v446 - v447) * xp.sinh(v447)), 1e-17)
+        v455 = v368 * v454
+        v460 = normal_slope_beyond(xp, xp.sqrt(v17 * v17 + v455 * v455), v455, R, theta) * v455
+        v466 = v387 * xp.sum(v81 * (v460 * v370 * xp.cosh(v446 - v443) / v283), axis=0)
+        v468 = 0.6366197723675814 * (v316 * xp.sum(v81 * v440, axis=0)) + 0.6366197723675814 * v466
+        return (v426, v282 * v427 * (v468 + v420 * (v285 / v427 - v427 * v423)) / v426)
     v281 = xp.minimum(v12 * ((v214 * v215) ** (v270 / v266) + v276) ** (-1.0 / v270), xp.inf)
     return newton(xp, f279, v1, v281, xp.inf, 0.5, 4.0)
 

@@ -157,15 +157,15 @@ def zone(xp, a, R, b, E_star, dgamma, sigma_0):
         v276 = xp.hypot(a, v186)
         v278 = v186 / (v276 + a)
         v281 = 0.6366197723675814 * v270 + v273 * v186 * (v275 - v278)
-        v283 = v186 / v276
-        v285 = v100 * v241
-        v288 = xp.arcsinh(v226)
-        v289 = 0.5 * v285
-        v296 = xp.maximum(xp.cos(2.0 * v224 * xp.cosh(v288 - v289) * xp.sinh(v289)), 1e-17)
-        v297 = v222 * v296
-        v303 = normal_slope_beyond(xp, xp.sqrt(b * b + v297 * v297), v297, R, b) * v297 * v224
-        v309 = 0.6366197723675814 * (v241 * xp.sum(v101 * (v303 * xp.cosh(v288 - v285) / v276), axis=0))
-        return (v281, v186 / v281 * v283 * (v309 + v273 * (v275 / v283 - v283 * v278)))
+        v282 = v186 / v276
+        v284 = v100 * v241
+        v287 = xp.arcsinh(v226)
+        v288 = 0.5 * v284
+        v295 = xp.maximum(xp.cos(2.0 * v224 * xp.cosh(v287 - v288) * xp.sinh(v288)), 1e-17)
+        v296 = v222 * v295
+        v302 = normal_slope_beyond(xp, xp.sqrt(b * b + v296 * v296), v296, R, b) * v296 * v224
+        v308 = 0.6366197723675814 * (v241 * xp.sum(v101 * (v302 * xp.cosh(v287 - v284) / v276), axis=0))
+        return (v281, v186 * v282 * (v308 + v273 * (v275 / v282 - v282 * v278)) / v281)
     v185 = xp.minimum(v12 * ((v131 * v132) ** (v174 / v169) + v180) ** (-1.0 / v174), xp.inf)
     return newton(xp, f183, v1, v185, xp.inf, 0.5, 4.0)
 

@@ -49,8 +49,8 @@ def zone_within(opened, a, E_star, dgamma, sigma_0, largest):
     return a if reached else np.nan
 
 
-def root_of_zone(opened, a, E_star, dgamma, sigma_0, largest=np.inf):
-    """The q at which the gap at c is dgamma/sigma_0."""
+def zone_like(opened, a, E_star, dgamma, sigma_0, largest=np.inf):
+    """About the q at which the gap at c is dgamma/sigma_0."""
     part = 0.25 * np.pi * (dgamma / sigma_0) * (E_star / sigma_0)
     wide = 0.5 / EMPTY * part
     start = wide + np.hypot(wide, np.sqrt(2.0 * a) * np.sqrt(part))
@@ -62,16 +62,26 @@ def root_of_zone(opened, a, E_star, dgamma, sigma_0, largest=np.inf):
     blend = 0.5 * (grown + ring)
     own = ring_of_zone(start, a, E_star, sigma_0) * (sigma_0 / dgamma)
     whole = (gap * (sigma_0 / dgamma)) ** (blend / grown) + own ** (blend / ring)
-    start = np.minimum(start * whole ** (-1.0 / blend), WITHIN * largest)
-    load, value = (4.0 / np.pi * (sigma_0 / E_star), dgamma / sigma_0)
+    return np.minimum(start * whole ** (-1.0 / blend), WITHIN * largest)
+
+
+def root_of_zone(opened, a, E_star, dgamma, sigma_0, largest=np.inf):
+    """That q."""
+    start = zone_like(opened, a, E_star, dgamma, sigma_0, largest)
+    share, value = (4.0 / np.pi * (sigma_0 / E_star), dgamma / sigma_0)
 
     def curve(q):
-        c, angle = (np.hypot(a, q), np.arctan2(q, a))
-        gap, rate = opened(q, a)
-        short = q / c * (q / (c + a))
-        whole = gap + load * q * (angle - q / (c + a))
-        return (whole, q / whole * (q / c) * (rate + load * (angle / (q / c) - short)))
+        whole, rise = with_ring(*opened(q, a), q, a, share)
+        return (whole, rise / whole)
     return inverse(curve, value, start, EXPONENTS, largest, smooth=True, noise=CLOSE * value)
+
+
+def with_ring(gap, rate, q, a, share):
+    v5 = hypot(a, q)
+    v6 = atan2(q, a)
+    v7 = q / v5
+    v9 = q / (v5 + a)
+    return (gap + share * q * (v6 - v9), q * v7 * (rate + share * (v6 / v7 - v7 * v9)))
 
 
 def ring_of_zone(q, a, E_star, sigma_0):

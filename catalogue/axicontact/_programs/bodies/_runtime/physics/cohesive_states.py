@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 
+from ....._programs.bodies._runtime.physics.cohesive import with_ring
 from ....._runtime.physics.cohesive_states import State, Stretch
 from ....._runtime.plain import MATH as np
 
@@ -68,9 +69,7 @@ def state_near(opened, growth, loaded, start, a, control, E_star, dgamma, sigma_
     for _ in range(LOOKS):
         c, angle = (np.hypot(a, q), np.arctan2(q, a))
         gap, rate = opened(q, a)
-        sine, short = (q / c, q / c * (q / (c + a)))
-        whole = gap + share * q * (angle - q / (c + a))
-        rise = q * sine * (rate + share * (angle / sine - short))
+        whole, rise = with_ring(gap, rate, q, a, share)
         short_of = (value - whole) / whole
         nearly = np.abs(short_of) < 0.5
         off = (np.log1p(short_of if nearly else 0.0) if nearly else np.log(value / whole)) * whole / rise
@@ -89,13 +88,14 @@ def state_near(opened, growth, loaded, start, a, control, E_star, dgamma, sigma_
         q = (ahead if (ahead > low) & (ahead <= high) else halved) if left else q
     reached = (q < last) | (off <= 0.0)
     power = np.minimum(np.maximum(degree, DEGREES[0]), DEGREES[1]) - 1.0
+    sine = q / c
     along = sine * sine * (power + edge)
     gap = gap * np.exp(off * (q * sine * rate / (gap if known else 1.0) if known else 0.0))
     rate = rate * np.exp(np.minimum(np.maximum(off * along, -FURTHEST), FURTHEST))
     q = q * np.exp(off)
     c, angle = (np.hypot(a, q), np.arctan2(q, a))
     sine, cosine, short = (q / c, a / c, q / c * (q / (c + a)))
-    rise = q * sine * (rate + share * (angle / sine - short))
+    _, rise = with_ring(gap, rate, q, a, share)
     gained = degree * gap - q * sine * rate if q < a else a * cosine * rate - lifted * angle
     widening = (share * a * cosine * short - gained) / rise
     steepening = cosine * cosine * power - sine * sine * edge + along * widening

@@ -6,7 +6,7 @@ from math import exp, expm1, inf, pow, sin
 
 from ....._programs.bodies._runtime.functions import gamma, gamma_quotient
 from ....._runtime.plain import integral
-from ....._runtime.plain import MATH as np
+from ....._runtime.plain import log1p, MATH as np
 
 ROUNDING = 5.551115123125783e-17
 SWITCH = 40.0
@@ -76,3 +76,22 @@ def creep_kelvin_voigt(t, E, eta):
 
 def creep_power_creep(t, E, alpha, t_0):
     return pow(t / t_0, alpha) / E
+
+
+def left_maxwell(pressed, since, E, tau):
+    return E * tau * exp(-since / tau) * -expm1(-pressed / tau)
+
+
+def left_standard_solid(pressed, since, E_inf, E_1, tau):
+    return E_inf * pressed + E_1 * tau * exp(-since / tau) * -expm1(-pressed / tau)
+
+
+def left_power_creep(pressed, since, E, alpha, t_0):
+    v6 = 1.0 - alpha
+    v8 = since > 0.0
+    if v8:
+        v9 = since if v8 else 1.0
+        v17 = pow(v9, v6) * expm1(v6 * log1p(pressed / v9))
+    else:
+        v17 = pow(pressed, v6)
+    return E * pow(t_0, alpha) * sin(3.141592653589793 * (alpha if alpha < v6 or alpha != alpha else v6)) / (3.141592653589793 * alpha * v6) * v17
