@@ -7,7 +7,7 @@ compared with it at points inside of every case, at values a reader could use.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
 from typing import Any, TypeAlias
@@ -122,10 +122,19 @@ def points_of(entry: Entry, kind: str, entries: Entries, count: int, seed: int) 
 def _drawn(entries: Entries, entry: Entry, source: Entry, case: Case, count: int, seed: int) -> list[Values]:
     """The first point has lengths of one size: where one of two terms vanishes, a misprint of it is not seen."""
     chain, fields = _lengths(case), _fields(entry, source, case)
-    alike = sorted((points(entry.profile, chain, 1, seed + i, fields)[0].values for i in range(DRAWS)), key=decades)
+    near = sorted(itertools.islice(_inside(entry, case, fields, seed), DRAWS), key=decades)
     others = [point.values for point in points(entry.profile, chain, count, seed, fields)[1:]]
-    first = next(filter(partial(_pulls, entries, entry, case), (_completed(entry, case, values) for values in alike)))
-    return [first, *(_completed(entry, case, values) for values in others)]
+    first = next(filter(partial(_pulls, entries, entry, case), (_completed(entry, case, values) for values in near)))
+    return [first, *(values for values in (_completed(entry, case, values) for values in others) if holds(case, values))]
+
+
+def _inside(entry: Entry, case: Case, fields: tuple[sp.Symbol, ...], seed: int) -> Iterator[Values]:
+    """Points of a case: where its lengths could not be drawn from, those of all points that are in it."""
+    chain = _lengths(case)
+    for i in itertools.count(seed):
+        values = points(entry.profile, chain, 1, i, fields)[0].values
+        if chain or holds(case, _completed(entry, case, values)):
+            yield values
 
 
 def _pulls(entries: Entries, entry: Entry, case: Case, values: Values) -> bool:
