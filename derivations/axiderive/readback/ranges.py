@@ -142,7 +142,7 @@ def misplaced(entry: Entry, conditions: Sequence[str], places: Sequence[Place]) 
         return
     known: dict[tuple[int | None, tuple[bool, ...]], tuple[bool, ...]] = {(None, ()): (False,) * len(conditions)}
     for place in places:
-        env = {name_in_print(s): mp.mpf(value) for s, value in place.values.items() if s.is_Symbol and nt.known(s.name)}
+        env = {name_in_print(s): mp.mpf(value) for s, value in place.values.items() if nt.known(s.name)}
         found = tuple(holds(condition, env) for condition in conditions)
         wanted = known.setdefault((place.case, place.parts), found)
         if found != wanted or sum(found) > 1 or (place.case is not None and not any(found)):
@@ -171,7 +171,7 @@ def _on_borders(entry: Entry, values: Numbers) -> Iterator[Place]:
     """Points of the exponent at which an equation begins: the formula that ends there still holds."""
     formulas = {own.chain[-1]: i for i, own in enumerate(entry.cases) if not isinstance(own.expr, sp.Equality)}
     for border, exponent in (own.chain[:2] for own in entry.cases if isinstance(own.expr, sp.Equality) and own.chain):
-        if border.is_number and border in formulas:
+        if border.is_number and exponent.is_Symbol and border in formulas:
             yield Place({**values, exponent: float(border)}, formulas[border])
 
 

@@ -130,10 +130,10 @@ def _drawn(entries: Entries, entry: Entry, source: Entry, case: Case, count: int
 
 def _inside(entry: Entry, case: Case, fields: tuple[sp.Symbol, ...], seed: int) -> Iterator[Values]:
     """Points of a case: where its lengths could not be drawn from, those of all points that are in it."""
-    chain = _lengths(case)
+    chain, moved = _lengths(case), any(x.has(nt.k) for x in case.chain)
     for i in itertools.count(seed):
         values = points(entry.profile, chain, 1, i, fields)[0].values
-        if chain or holds(case, _completed(entry, case, values)):
+        if chain or moved or holds(case, _completed(entry, case, values)):
             yield values
 
 
