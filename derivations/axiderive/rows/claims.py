@@ -123,9 +123,9 @@ def _drawn(entries: Entries, entry: Entry, source: Entry, case: Case, count: int
     """The first point has lengths of one size: where one of two terms vanishes, a misprint of it is not seen."""
     chain, fields = _lengths(case), _fields(entry, source, case)
     near = sorted(itertools.islice(_inside(entry, case, fields, seed), DRAWS), key=decades)
-    others = [point.values for point in points(entry.profile, chain, count, seed, fields)[1:]]
+    others = (_completed(entry, case, point.values) for point in points(entry.profile, chain, count, seed, fields)[1:])
     first = next(filter(partial(_pulls, entries, entry, case), (_completed(entry, case, values) for values in near)))
-    return [first, *(values for values in (_completed(entry, case, values) for values in others) if holds(case, values))]
+    return [first, *(values for values in others if chain or holds(case, values))]
 
 
 def _inside(entry: Entry, case: Case, fields: tuple[sp.Symbol, ...], seed: int) -> Iterator[Values]:
