@@ -133,8 +133,10 @@ def _normal_prover(profile: Profile, entries: dict[str, Entry], medium: Medium) 
         found, medium, bounds = graded.shifted(entries), graded.MEDIUM, graded.BOUNDS
     if profile.compact:
         frames, rules = frame.compact(profile, stated), COMPACT
-        if "rp" in entries and all(case.expr == 0 for case in entries["rp"].cases):
-            rules = COMPACT | {"rp": (("d",), rings.greatest)}  # the axis is shown of the face, not of its pressure
+        ring = entries.get("rp")
+        if ring is not None and all(case.expr == 0 for case in ring.cases):
+            # the axis is shown of the face, not of its pressure
+            rules = COMPACT | {ring.suffix: (("d",), rings.greatest)}
         return Prover(entries, frames, rules, lambda: Compact(profile, found, medium, bounds))
     frames = frame.complete(profile, stated)
     return Prover(entries, frames, COMPLETE, lambda: Complete(profile, found, medium, bounds))

@@ -107,8 +107,8 @@ SEPARATE = {nt.k, nt.e, nt.E_star, nt.n}
 EXPONENT_OF_GRADING = (sp.Rational(3, 5), sp.Rational(-2, 5))
 POISSON = {nt.nu: sp.Rational(2, 7), nt.nu_1: sp.Rational(3, 11), nt.nu_2: sp.Rational(5, 13)}
 STABLE_EXPONENT = sp.Rational(17, 10)
-DRAWS = 6
-"""Points of which the first one of a case is chosen: the one whose lengths are the most alike."""
+DRAWS, MOST = 6, 600
+"""Points of which the first one of a case is chosen, that whose lengths are the most alike; and how many are tried."""
 
 
 def points_of(entry: Entry, kind: str, entries: Entries, count: int, seed: int) -> list[tuple[Case, Values]]:
@@ -124,14 +124,17 @@ def _drawn(entries: Entries, entry: Entry, source: Entry, case: Case, count: int
     chain, fields = _lengths(case), _fields(entry, source, case)
     near = sorted(itertools.islice(_inside(entry, case, fields, seed), DRAWS), key=decades)
     others = (_completed(entry, case, point.values) for point in points(entry.profile, chain, count, seed, fields)[1:])
-    first = next(filter(partial(_pulls, entries, entry, case), (_completed(entry, case, values) for values in near)))
+    growing = filter(partial(_pulls, entries, entry, case), (_completed(entry, case, values) for values in near))
+    if (first := next(growing, None)) is None:
+        message = f"{entry.key}: no point of the case {case.chain} is among {MOST} that were drawn; draw others"
+        raise ValueError(message)
     return [first, *(values for values in others if chain or holds(case, values))]
 
 
 def _inside(entry: Entry, case: Case, fields: tuple[sp.Symbol, ...], seed: int) -> Iterator[Values]:
     """Points of a case: where its lengths could not be drawn from, those of all points that are in it."""
     chain, moved = _lengths(case), any(x.has(nt.k) for x in case.chain)
-    for i in itertools.count(seed):
+    for i in range(seed, seed + MOST):
         values = points(entry.profile, chain, 1, i, fields)[0].values
         if chain or moved or holds(case, _completed(entry, case, values)):
             yield values

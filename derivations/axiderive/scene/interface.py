@@ -177,9 +177,10 @@ def functions(kind: Kind, contact: str = "compact") -> dict[str, Function]:
 
 def peaks(profile: Profile | None) -> dict[str, Function]:
     """The greatest pressure and its radius, of a profile that has them: a function of a scene has one result."""
-    if profile is None or profile.name not in NAMES or "rp" not in normal.derive(profile):
+    if profile is None or profile.name not in NAMES:
         return {}
-    own = [q for q in COMPACT.values() if q.member]
+    known = normal.derive(profile)
+    own = [q for q in COMPACT.values() if q.member and q.suffix in known]
     alone = [replace(q, function=f"peak_{q.member}", summary=q.summary.partition(",")[0]) for q in own]
     return {q.function: Function(NORMAL, q) for q in alone}
 

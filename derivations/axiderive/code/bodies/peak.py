@@ -22,9 +22,9 @@ RESULT = "PeakPressure"
 
 def bodies(compact: Compact, functions: PrivateFunctions, entries: Mapping[str, Entry]) -> None:
     """The private functions of both results, where the profile has them."""
-    if "rp" not in entries:
+    ring, greatest = entries.get("rp"), entries.get("pp")
+    if ring is None or greatest is None:
         return
-    ring, greatest = entries["rp"], entries["pp"]
     if ring.status == "root":
         build = _of_arc if stretch_of_arc(ring.profile) else _beyond if compact.b else _of_power
         build(compact, functions, greatest)

@@ -103,7 +103,8 @@ def _force_back(writer: Writer, law: Law, material: list[str]) -> list[str]:
         lines, degree = _degree(power)
         kept = f"kept_{law.name}(t, t_1, {since}, {degree}, {passed})"
     ramp = f"_ramp_force_{law.name}(t, {own})"
-    return [*lines, f"return np.where(t > t_m, np.where(t_1 > 0.0, {force} * {kept}, 0.0), {ramp})"]
+    back = f"back = np.where((t > t_m) & (t_1 > 0.0), {force} * {kept}, 0.0)"
+    return [*lines, back, f"return np.where(t > t_m, back, {ramp})"]
 
 
 RETURNED = (
