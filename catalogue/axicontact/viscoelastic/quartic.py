@@ -1794,11 +1794,12 @@ def _retract_force_maxwell(
 ) -> Array:
     lag = lag_maxwell(t, t_m, t_h, v_2 / v, E, tau)
     t_1 = earlier(t, t_m, lag)
-    return np.where(
-        t > t_m,
-        np.where(t_1 > 0.0, normal._force_from_depth(v * t_1, A, 1.0) * kept_maxwell(t, t_1, passed(t, t_m, lag), 1.25, E, tau), 0.0),
-        _ramp_force_maxwell(t, v, A, E, tau),
+    back = np.where(
+        (t > t_m) & (t_1 > 0.0),
+        normal._force_from_depth(v * t_1, A, 1.0) * kept_maxwell(t, t_1, passed(t, t_m, lag), 1.25, E, tau),
+        0.0,
     )
+    return np.where(t > t_m, back, _ramp_force_maxwell(t, v, A, E, tau))
 
 
 def _contact_time_maxwell(v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, tau: Array) -> Array:
@@ -1834,11 +1835,12 @@ def _retract_force_kelvin_voigt(
 ) -> Array:
     lag = lag_kelvin_voigt(t, t_m, t_h, v_2 / v, E, eta)
     t_1 = earlier(t, t_m, lag)
-    return np.where(
-        t > t_m,
-        np.where(t_1 > 0.0, normal._force_from_depth(v * t_1, A, 1.0) * kept_kelvin_voigt(t, t_1, passed(t, t_m, lag), 1.25, E, eta), 0.0),
-        _ramp_force_kelvin_voigt(t, v, A, E, eta),
+    back = np.where(
+        (t > t_m) & (t_1 > 0.0),
+        normal._force_from_depth(v * t_1, A, 1.0) * kept_kelvin_voigt(t, t_1, passed(t, t_m, lag), 1.25, E, eta),
+        0.0,
     )
+    return np.where(t > t_m, back, _ramp_force_kelvin_voigt(t, v, A, E, eta))
 
 
 def _contact_time_kelvin_voigt(v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, eta: Array) -> Array:
@@ -1876,11 +1878,12 @@ def _retract_force_standard_solid(
 ) -> Array:
     lag = lag_standard_solid(t, t_m, t_h, v_2 / v, E_inf, E_1, tau)
     t_1 = earlier(t, t_m, lag)
-    return np.where(
-        t > t_m,
-        np.where(t_1 > 0.0, normal._force_from_depth(v * t_1, A, 1.0) * kept_standard_solid(t, t_1, passed(t, t_m, lag), 1.25, E_inf, E_1, tau), 0.0),
-        _ramp_force_standard_solid(t, v, A, E_inf, E_1, tau),
+    back = np.where(
+        (t > t_m) & (t_1 > 0.0),
+        normal._force_from_depth(v * t_1, A, 1.0) * kept_standard_solid(t, t_1, passed(t, t_m, lag), 1.25, E_inf, E_1, tau),
+        0.0,
     )
+    return np.where(t > t_m, back, _ramp_force_standard_solid(t, v, A, E_inf, E_1, tau))
 
 
 def _contact_time_standard_solid(
@@ -1920,11 +1923,12 @@ def _retract_force_power_creep(
 ) -> Array:
     lag = lag_power_creep(t, t_m, t_h, v_2 / v, E, alpha, t_0)
     t_1 = earlier(t, t_m, lag)
-    return np.where(
-        t > t_m,
-        np.where(t_1 > 0.0, normal._force_from_depth(v * t_1, A, 1.0) * kept_power_creep(t, t_1, passed(t, t_m, lag), 1.25, E, alpha, t_0), 0.0),
-        _ramp_force_power_creep(t, v, A, E, alpha, t_0),
+    back = np.where(
+        (t > t_m) & (t_1 > 0.0),
+        normal._force_from_depth(v * t_1, A, 1.0) * kept_power_creep(t, t_1, passed(t, t_m, lag), 1.25, E, alpha, t_0),
+        0.0,
     )
+    return np.where(t > t_m, back, _ramp_force_power_creep(t, v, A, E, alpha, t_0))
 
 
 def _contact_time_power_creep(

@@ -1955,11 +1955,8 @@ def _retract_force_kelvin_voigt(
 ) -> Array:
     lag = lag_kelvin_voigt(t, t_m, t_h, v_2 / v, E, eta)
     t_1 = earlier(t, t_m, lag)
-    return np.where(
-        t > t_m,
-        np.where(t_1 > 0.0, normal._force_from_depth(v * t_1, theta, b, 1.0) * E, 0.0),
-        _ramp_force_kelvin_voigt(t, v, theta, b, E, eta),
-    )
+    back = np.where((t > t_m) & (t_1 > 0.0), normal._force_from_depth(v * t_1, theta, b, 1.0) * E, 0.0)
+    return np.where(t > t_m, back, _ramp_force_kelvin_voigt(t, v, theta, b, E, eta))
 
 
 def _contact_time_kelvin_voigt(v: Array, v_2: Array, t_m: Array, t_h: Array, E: Array, eta: Array) -> Array:

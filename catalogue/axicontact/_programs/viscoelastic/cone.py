@@ -480,24 +480,24 @@ def retract_force_kelvin_voigt(t, v, v_2, t_m, t_h, theta, E, eta):
     if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is theta.__class__ is E.__class__ is eta.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
         try:
             v16 = t > t_m
-            v26 = 2.0 / (3.141592653589793 * tan(theta))
+            v27 = 2.0 / (3.141592653589793 * tan(theta))
             if v16:
                 if v16:
                     v17 = t_m - (v_2 / v * (t - t_h + eta / E) if t > t_h else 0.0)
                     v19 = v17 if v17 > 0.0 or v17 != v17 else 0.0
                 else:
                     v19 = t
-                if v19 > 0.0:
-                    v21 = v * v19
-                    value = v26 * (v21 * v21) * (E + 0.0 * v19)
+                if v16 and v19 > 0.0:
+                    v22 = v * v19
+                    value = v27 * (v22 * v22) * (E + 0.0 * v19)
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
                     return None
                 return 0.0
             if t == 0.0:
                 return 0.0
-            v36 = v * t
-            return v26 * (v36 * v36) * (E + eta * 2.0 / t)
+            v37 = v * t
+            return v27 * (v37 * v37) * (E + eta * 2.0 / t)
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -506,21 +506,21 @@ def retract_force_kelvin_voigt(t, v, v_2, t_m, t_h, theta, E, eta):
 def prepare_retract_force_kelvin_voigt_t(theta, v, v_2, t_m, t_h, E, eta):
     v8 = v_2 / v
     v11 = eta / E
-    v22 = np.tan(theta)
-    v24 = (3.141592653589793) * v22
-    v26 = (2.0) / v24
-    v36 = eta * (2.0)
-    return (v, t_m, t_h, E, v8, v11, v26, v36)
+    v23 = np.tan(theta)
+    v25 = (3.141592653589793) * v23
+    v27 = (2.0) / v25
+    v37 = eta * (2.0)
+    return (v, t_m, t_h, E, v8, v11, v27, v37)
 
 
-def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, E, v8, v11, v26, v36, t0, t1, t2, m0, m1, f0):
+def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, E, v8, v11, v27, v37, t0, t1, t2, m0, m1, f0):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some42 = np.count_nonzero(m0)
-    if some42:
+    some43 = np.count_nonzero(m0)
+    if some43:
         some19 = np.count_nonzero(m0)
         if some19:
             np.greater(t, t_h, m1)
@@ -536,34 +536,35 @@ def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, E, v8, v11, v26, v36
         if some19 != size:
             np.copyto(t0, t, where=~m0)
         np.greater(t0, C0, m1)
-        some32 = np.count_nonzero(m1)
-        if some32:
+        np.bitwise_and(m0, m1, m1)
+        some33 = np.count_nonzero(m1)
+        if some33:
             np.multiply(v, t0, out)
             np.square(out, out)
-            np.multiply(v26, out, out)
+            np.multiply(v27, out, out)
             np.multiply(C0, t0, t1)
             np.add(E, t1, t1)
             np.multiply(out, t1, out)
-        if some32 != size:
+        if some33 != size:
             np.copyto(out, C0, where=~m1)
-    if some42 != size:
-        other42 = t0 if some42 else out
+    if some43 != size:
+        other43 = t0 if some43 else out
         np.equal(t, C0, m1)
-        some41 = np.count_nonzero(m1)
-        if some41:
-            np.copyto(other42, C0)
-        if some41 != size:
-            other41 = t1 if some41 else other42
-            np.multiply(v, t, other41)
-            np.square(other41, other41)
-            np.multiply(v26, other41, other41)
-            np.divide(v36, t, t2)
-            np.add(E, t2, t2)
-            np.multiply(other41, t2, other41)
-            if some41:
-                np.copyto(other42, other41, where=~m1)
+        some42 = np.count_nonzero(m1)
         if some42:
-            np.copyto(out, other42, where=~m0)
+            np.copyto(other43, C0)
+        if some42 != size:
+            other42 = t1 if some42 else other43
+            np.multiply(v, t, other42)
+            np.square(other42, other42)
+            np.multiply(v27, other42, other42)
+            np.divide(v37, t, t2)
+            np.add(E, t2, t2)
+            np.multiply(other42, t2, other42)
+            if some42:
+                np.copyto(other43, other42, where=~m1)
+        if some43:
+            np.copyto(out, other43, where=~m0)
 
 
 def prepare_retract_force_kelvin_voigt_all():
@@ -579,8 +580,8 @@ def block_retract_force_kelvin_voigt_all(out, t, theta, v, v_2, t_m, t_h, E, eta
     np.tan(theta, t0)
     np.multiply(C4, t0, t0)
     np.divide(C3, t0, t0)
-    some42 = np.count_nonzero(m0)
-    if some42:
+    some43 = np.count_nonzero(m0)
+    if some43:
         some19 = np.count_nonzero(m0)
         if some19:
             np.greater(t, t_h, m1)
@@ -598,35 +599,36 @@ def block_retract_force_kelvin_voigt_all(out, t, theta, v, v_2, t_m, t_h, E, eta
         if some19 != size:
             np.copyto(t1, t, where=~m0)
         np.greater(t1, C0, m1)
-        some32 = np.count_nonzero(m1)
-        if some32:
+        np.bitwise_and(m0, m1, m1)
+        some33 = np.count_nonzero(m1)
+        if some33:
             np.multiply(v, t1, out)
             np.square(out, out)
             np.multiply(t0, out, out)
             np.multiply(C0, t1, t3)
             np.add(E, t3, t3)
             np.multiply(out, t3, out)
-        if some32 != size:
+        if some33 != size:
             np.copyto(out, C0, where=~m1)
-    if some42 != size:
-        other42 = t1 if some42 else out
+    if some43 != size:
+        other43 = t1 if some43 else out
         np.equal(t, C0, m1)
-        some41 = np.count_nonzero(m1)
-        if some41:
-            np.copyto(other42, C0)
-        if some41 != size:
-            other41 = t3 if some41 else other42
-            np.multiply(v, t, other41)
-            np.square(other41, other41)
-            np.multiply(t0, other41, other41)
+        some42 = np.count_nonzero(m1)
+        if some42:
+            np.copyto(other43, C0)
+        if some42 != size:
+            other42 = t3 if some42 else other43
+            np.multiply(v, t, other42)
+            np.square(other42, other42)
+            np.multiply(t0, other42, other42)
             np.multiply(eta, C3, t2)
             np.divide(t2, t, t2)
             np.add(E, t2, t2)
-            np.multiply(other41, t2, other41)
-            if some41:
-                np.copyto(other42, other41, where=~m1)
-        if some42:
-            np.copyto(out, other42, where=~m0)
+            np.multiply(other42, t2, other42)
+            if some42:
+                np.copyto(other43, other42, where=~m1)
+        if some43:
+            np.copyto(out, other43, where=~m0)
 
 
 def retract_force_maxwell(t, v, v_2, t_m, t_h, theta, E, tau):

@@ -482,7 +482,7 @@ def retract_force_kelvin_voigt(t, v, v_2, t_m, t_h, a, E, eta):
                     v19 = v17 if v17 > 0.0 or v17 != v17 else 0.0
                 else:
                     v19 = t
-                if v19 > 0.0:
+                if v16 and v19 > 0.0:
                     value = 2.0 * (v * v19) * a * (E + 0.0 * v19)
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
@@ -499,20 +499,20 @@ def retract_force_kelvin_voigt(t, v, v_2, t_m, t_h, a, E, eta):
 def prepare_retract_force_kelvin_voigt_t(a, v, v_2, t_m, t_h, E, eta):
     v8 = v_2 / v
     v11 = eta / E
-    v36 = (2.0) * v
-    v37 = v36 * a
-    v38 = v37 * eta
-    return (v, t_m, t_h, a, E, eta, v8, v11, v38)
+    v37 = (2.0) * v
+    v38 = v37 * a
+    v39 = v38 * eta
+    return (v, t_m, t_h, a, E, eta, v8, v11, v39)
 
 
-def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, a, E, eta, v8, v11, v38, t0, t1, t2, m0, m1, f0):
+def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, a, E, eta, v8, v11, v39, t0, t1, t2, m0, m1, f0):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some40 = np.count_nonzero(m0)
-    if some40:
+    some41 = np.count_nonzero(m0)
+    if some41:
         some19 = np.count_nonzero(m0)
         if some19:
             np.greater(t, t_h, m1)
@@ -528,34 +528,35 @@ def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, a, E, eta, v8, v11, 
         if some19 != size:
             np.copyto(t0, t, where=~m0)
         np.greater(t0, C0, m1)
-        some28 = np.count_nonzero(m1)
-        if some28:
+        np.bitwise_and(m0, m1, m1)
+        some29 = np.count_nonzero(m1)
+        if some29:
             np.multiply(v, t0, out)
             np.multiply(C3, out, out)
             np.multiply(out, a, out)
             np.multiply(C0, t0, t1)
             np.add(E, t1, t1)
             np.multiply(out, t1, out)
-        if some28 != size:
+        if some29 != size:
             np.copyto(out, C0, where=~m1)
-    if some40 != size:
-        other40 = t0 if some40 else out
+    if some41 != size:
+        other41 = t0 if some41 else out
         np.equal(t, C0, m1)
-        some39 = np.count_nonzero(m1)
-        if some39:
-            np.copyto(other40, v38)
-        if some39 != size:
-            other39 = t1 if some39 else other40
-            np.multiply(v, t, other39)
-            np.multiply(C3, other39, other39)
-            np.multiply(other39, a, other39)
+        some40 = np.count_nonzero(m1)
+        if some40:
+            np.copyto(other41, v39)
+        if some40 != size:
+            other40 = t1 if some40 else other41
+            np.multiply(v, t, other40)
+            np.multiply(C3, other40, other40)
+            np.multiply(other40, a, other40)
             np.divide(eta, t, t2)
             np.add(E, t2, t2)
-            np.multiply(other39, t2, other39)
-            if some39:
-                np.copyto(other40, other39, where=~m1)
-        if some40:
-            np.copyto(out, other40, where=~m0)
+            np.multiply(other40, t2, other40)
+            if some40:
+                np.copyto(other41, other40, where=~m1)
+        if some41:
+            np.copyto(out, other41, where=~m0)
 
 
 def prepare_retract_force_kelvin_voigt_all():
@@ -568,8 +569,8 @@ def block_retract_force_kelvin_voigt_all(out, t, a, v, v_2, t_m, t_h, E, eta, t0
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some40 = np.count_nonzero(m0)
-    if some40:
+    some41 = np.count_nonzero(m0)
+    if some41:
         some19 = np.count_nonzero(m0)
         if some19:
             np.greater(t, t_h, m1)
@@ -587,36 +588,37 @@ def block_retract_force_kelvin_voigt_all(out, t, a, v, v_2, t_m, t_h, E, eta, t0
         if some19 != size:
             np.copyto(t0, t, where=~m0)
         np.greater(t0, C0, m1)
-        some28 = np.count_nonzero(m1)
-        if some28:
+        np.bitwise_and(m0, m1, m1)
+        some29 = np.count_nonzero(m1)
+        if some29:
             np.multiply(v, t0, out)
             np.multiply(C3, out, out)
             np.multiply(out, a, out)
             np.multiply(C0, t0, t2)
             np.add(E, t2, t2)
             np.multiply(out, t2, out)
-        if some28 != size:
+        if some29 != size:
             np.copyto(out, C0, where=~m1)
-    if some40 != size:
-        other40 = t0 if some40 else out
+    if some41 != size:
+        other41 = t0 if some41 else out
         np.equal(t, C0, m1)
-        some39 = np.count_nonzero(m1)
-        if some39:
-            np.multiply(C3, v, other40)
+        some40 = np.count_nonzero(m1)
+        if some40:
+            np.multiply(C3, v, other41)
+            np.multiply(other41, a, other41)
+            np.multiply(other41, eta, other41)
+        if some40 != size:
+            other40 = t2 if some40 else other41
+            np.multiply(v, t, other40)
+            np.multiply(C3, other40, other40)
             np.multiply(other40, a, other40)
-            np.multiply(other40, eta, other40)
-        if some39 != size:
-            other39 = t2 if some39 else other40
-            np.multiply(v, t, other39)
-            np.multiply(C3, other39, other39)
-            np.multiply(other39, a, other39)
             np.divide(eta, t, t1)
             np.add(E, t1, t1)
-            np.multiply(other39, t1, other39)
-            if some39:
-                np.copyto(other40, other39, where=~m1)
-        if some40:
-            np.copyto(out, other40, where=~m0)
+            np.multiply(other40, t1, other40)
+            if some40:
+                np.copyto(other41, other40, where=~m1)
+        if some41:
+            np.copyto(out, other41, where=~m0)
 
 
 def retract_force_maxwell(t, v, v_2, t_m, t_h, a, E, tau):

@@ -486,17 +486,17 @@ def retract_force_kelvin_voigt(t, v, v_2, t_m, t_h, R, E, eta):
                     v19 = v17 if v17 > 0.0 or v17 != v17 else 0.0
                 else:
                     v19 = t
-                if v19 > 0.0:
-                    v21 = v * v19
-                    value = 1.3333333333333333 * v21 * sqrt(R * v21) * (E + 0.0 * v19)
+                if v16 and v19 > 0.0:
+                    v22 = v * v19
+                    value = 1.3333333333333333 * v22 * sqrt(R * v22) * (E + 0.0 * v19)
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
                     return None
                 return 0.0
             if t == 0.0:
                 return 0.0
-            v34 = v * t
-            return 1.3333333333333333 * v34 * sqrt(R * v34) * (E + eta * 1.5 / t)
+            v35 = v * t
+            return 1.3333333333333333 * v35 * sqrt(R * v35) * (E + eta * 1.5 / t)
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -505,18 +505,18 @@ def retract_force_kelvin_voigt(t, v, v_2, t_m, t_h, R, E, eta):
 def prepare_retract_force_kelvin_voigt_t(R, v, v_2, t_m, t_h, E, eta):
     v8 = v_2 / v
     v11 = eta / E
-    v37 = eta * (1.5)
-    return (v, t_m, t_h, R, E, v8, v11, v37)
+    v38 = eta * (1.5)
+    return (v, t_m, t_h, R, E, v8, v11, v38)
 
 
-def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, R, E, v8, v11, v37, t0, t1, t2, m0, m1, f0):
+def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, R, E, v8, v11, v38, t0, t1, t2, m0, m1, f0):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some43 = np.count_nonzero(m0)
-    if some43:
+    some44 = np.count_nonzero(m0)
+    if some44:
         some19 = np.count_nonzero(m0)
         if some19:
             np.greater(t, t_h, m1)
@@ -532,8 +532,9 @@ def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, R, E, v8, v11, v37, 
         if some19 != size:
             np.copyto(t0, t, where=~m0)
         np.greater(t0, C0, m1)
-        some30 = np.count_nonzero(m1)
-        if some30:
+        np.bitwise_and(m0, m1, m1)
+        some31 = np.count_nonzero(m1)
+        if some31:
             np.multiply(v, t0, out)
             np.multiply(C3, out, t1)
             np.multiply(R, out, out)
@@ -542,28 +543,28 @@ def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, R, E, v8, v11, v37, 
             np.multiply(C0, t0, t1)
             np.add(E, t1, t1)
             np.multiply(out, t1, out)
-        if some30 != size:
+        if some31 != size:
             np.copyto(out, C0, where=~m1)
-    if some43 != size:
-        other43 = t0 if some43 else out
+    if some44 != size:
+        other44 = t0 if some44 else out
         np.equal(t, C0, m1)
-        some42 = np.count_nonzero(m1)
-        if some42:
-            np.copyto(other43, C0)
-        if some42 != size:
-            other42 = t1 if some42 else other43
-            np.multiply(v, t, other42)
-            np.multiply(C3, other42, t2)
-            np.multiply(R, other42, other42)
-            np.sqrt(other42, other42)
-            np.multiply(t2, other42, other42)
-            np.divide(v37, t, t2)
-            np.add(E, t2, t2)
-            np.multiply(other42, t2, other42)
-            if some42:
-                np.copyto(other43, other42, where=~m1)
+        some43 = np.count_nonzero(m1)
         if some43:
-            np.copyto(out, other43, where=~m0)
+            np.copyto(other44, C0)
+        if some43 != size:
+            other43 = t1 if some43 else other44
+            np.multiply(v, t, other43)
+            np.multiply(C3, other43, t2)
+            np.multiply(R, other43, other43)
+            np.sqrt(other43, other43)
+            np.multiply(t2, other43, other43)
+            np.divide(v38, t, t2)
+            np.add(E, t2, t2)
+            np.multiply(other43, t2, other43)
+            if some43:
+                np.copyto(other44, other43, where=~m1)
+        if some44:
+            np.copyto(out, other44, where=~m0)
 
 
 def prepare_retract_force_kelvin_voigt_all():
@@ -576,8 +577,8 @@ def block_retract_force_kelvin_voigt_all(out, t, R, v, v_2, t_m, t_h, E, eta, t0
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some43 = np.count_nonzero(m0)
-    if some43:
+    some44 = np.count_nonzero(m0)
+    if some44:
         some19 = np.count_nonzero(m0)
         if some19:
             np.greater(t, t_h, m1)
@@ -595,8 +596,9 @@ def block_retract_force_kelvin_voigt_all(out, t, R, v, v_2, t_m, t_h, E, eta, t0
         if some19 != size:
             np.copyto(t0, t, where=~m0)
         np.greater(t0, C0, m1)
-        some30 = np.count_nonzero(m1)
-        if some30:
+        np.bitwise_and(m0, m1, m1)
+        some31 = np.count_nonzero(m1)
+        if some31:
             np.multiply(v, t0, out)
             np.multiply(C3, out, t2)
             np.multiply(R, out, out)
@@ -605,29 +607,29 @@ def block_retract_force_kelvin_voigt_all(out, t, R, v, v_2, t_m, t_h, E, eta, t0
             np.multiply(C0, t0, t2)
             np.add(E, t2, t2)
             np.multiply(out, t2, out)
-        if some30 != size:
+        if some31 != size:
             np.copyto(out, C0, where=~m1)
-    if some43 != size:
-        other43 = t0 if some43 else out
+    if some44 != size:
+        other44 = t0 if some44 else out
         np.equal(t, C0, m1)
-        some42 = np.count_nonzero(m1)
-        if some42:
-            np.copyto(other43, C0)
-        if some42 != size:
-            other42 = t2 if some42 else other43
-            np.multiply(v, t, other42)
-            np.multiply(C3, other42, t1)
-            np.multiply(R, other42, other42)
-            np.sqrt(other42, other42)
-            np.multiply(t1, other42, other42)
+        some43 = np.count_nonzero(m1)
+        if some43:
+            np.copyto(other44, C0)
+        if some43 != size:
+            other43 = t2 if some43 else other44
+            np.multiply(v, t, other43)
+            np.multiply(C3, other43, t1)
+            np.multiply(R, other43, other43)
+            np.sqrt(other43, other43)
+            np.multiply(t1, other43, other43)
             np.multiply(eta, C4, t1)
             np.divide(t1, t, t1)
             np.add(E, t1, t1)
-            np.multiply(other42, t1, other42)
-            if some42:
-                np.copyto(other43, other42, where=~m1)
-        if some43:
-            np.copyto(out, other43, where=~m0)
+            np.multiply(other43, t1, other43)
+            if some43:
+                np.copyto(other44, other43, where=~m1)
+        if some44:
+            np.copyto(out, other44, where=~m0)
 
 
 def retract_force_maxwell(t, v, v_2, t_m, t_h, R, E, tau):

@@ -655,34 +655,34 @@ def retract_force_kelvin_voigt(t, v, v_2, t_m, t_h, A, n, E, eta):
         try:
             v17 = t > t_m
             v22 = n + 1.0
-            v29 = n / 2.0 + 0.5
-            v31 = v29 + 1.75
-            v35 = (v29 + 0.5) * (v29 + 1.5)
-            v48 = 1.0 / (v31 * v31)
-            v89 = (v29 * (v29 + 1.0) / v35 if v29 < 1.0 else 1.0 - (v29 + 0.75) / v35) * sqrt(v31) * (1.0 + v48 * (((((((0.01524698625788054 * v48 + 0.5334320651111477) * v48 + 2.250488865813539) * v48 + 2.8612106440066865) * v48 + 1.3794681629043655) * v48 + 0.2596058532893223) * v48 + 0.015624999999999823) / ((((((3.278794792785737 * v48 + 49.328555418276075) * v48 + 167.28648538571198) * v48 + 195.37226190335065) * v48 + 90.69722535867314) * v48 + 16.763212110504565) * v48 + 1.0)))
-            v92 = 1.7724538509055159 * A * v89
-            v98 = 3.5449077018110318 * n * A / v22 * v89
-            v100 = n + 0.0
-            v101 = 1.0 / v100
+            v30 = n / 2.0 + 0.5
+            v32 = v30 + 1.75
+            v36 = (v30 + 0.5) * (v30 + 1.5)
+            v49 = 1.0 / (v32 * v32)
+            v90 = (v30 * (v30 + 1.0) / v36 if v30 < 1.0 else 1.0 - (v30 + 0.75) / v36) * sqrt(v32) * (1.0 + v49 * (((((((0.01524698625788054 * v49 + 0.5334320651111477) * v49 + 2.250488865813539) * v49 + 2.8612106440066865) * v49 + 1.3794681629043655) * v49 + 0.2596058532893223) * v49 + 0.015624999999999823) / ((((((3.278794792785737 * v49 + 49.328555418276075) * v49 + 167.28648538571198) * v49 + 195.37226190335065) * v49 + 90.69722535867314) * v49 + 16.763212110504565) * v49 + 1.0)))
+            v93 = 1.7724538509055159 * A * v90
+            v99 = 3.5449077018110318 * n * A / v22 * v90
+            v101 = n + 0.0
+            v102 = 1.0 / v101
             if v17:
                 if v17:
                     v18 = t_m - (v_2 / v * (t - t_h + eta / E) if t > t_h else 0.0)
                     v20 = v18 if v18 > 0.0 or v18 != v18 else 0.0
                 else:
                     v20 = t
-                if v20 > 0.0:
-                    v93 = v * v20 / v92
-                    v102 = pow(v93, v101)
-                    value = v98 * v93 * (v102 + v102 * ((v93 / (pow(v102, n) * pow(v102, 0.0)) - 1.0) / v100) if v93 > 0.0 and v93 < inf else v102) * (E + 0.0 * v20)
+                if v17 and v20 > 0.0:
+                    v94 = v * v20 / v93
+                    v103 = pow(v94, v102)
+                    value = v99 * v94 * (v103 + v103 * ((v94 / (pow(v103, n) * pow(v103, 0.0)) - 1.0) / v101) if v94 > 0.0 and v94 < inf else v103) * (E + 0.0 * v20)
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
                     return None
                 return 0.0
             if t == 0.0:
                 return 0.0
-            v125 = v * t / v92
-            v127 = pow(v125, v101)
-            value = v98 * v125 * (v127 + v127 * ((v125 / (pow(v127, n) * pow(v127, 0.0)) - 1.0) / v100) if v125 > 0.0 and v125 < inf else v127) * (E + eta * (v22 / n) / t)
+            v126 = v * t / v93
+            v128 = pow(v126, v102)
+            value = v99 * v126 * (v128 + v128 * ((v126 / (pow(v128, n) * pow(v128, 0.0)) - 1.0) / v101) if v126 > 0.0 and v126 < inf else v128) * (E + eta * (v22 / n) / t)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             return None
@@ -696,72 +696,72 @@ def prepare_retract_force_kelvin_voigt_t(A, n, v, v_2, t_m, t_h, E, eta):
     v12 = eta / E
     v22 = n + (1.0)
     v23 = v22 / n
-    v27 = n / (2.0)
-    v29 = v27 + (0.5)
-    v31 = v29 + (1.75)
-    v32 = v29 + (0.5)
-    v34 = v29 + (1.5)
-    v35 = v32 * v34
-    v36 = np.less(v29, (1.0))
-    v37 = v29 + (1.0)
-    v38 = v29 * v37
-    v39 = v38 / v35
-    v41 = v29 + (0.75)
-    v42 = v41 / v35
-    v43 = (1.0) - v42
-    v44 = v39 if v36 else v43
-    v45 = np.sqrt(v31)
-    v46 = v44 * v45
-    v47 = v31 * v31
-    v48 = (1.0) / v47
-    v50 = (0.01524698625788054) * v48
-    v52 = v50 + (0.5334320651111477)
-    v53 = v52 * v48
-    v55 = v53 + (2.250488865813539)
-    v56 = v55 * v48
-    v58 = v56 + (2.8612106440066865)
-    v59 = v58 * v48
-    v61 = v59 + (1.3794681629043655)
-    v62 = v61 * v48
-    v64 = v62 + (0.2596058532893223)
-    v65 = v64 * v48
-    v67 = v65 + (0.015624999999999823)
-    v69 = (3.278794792785737) * v48
-    v71 = v69 + (49.328555418276075)
-    v72 = v71 * v48
-    v74 = v72 + (167.28648538571198)
-    v75 = v74 * v48
-    v77 = v75 + (195.37226190335065)
-    v78 = v77 * v48
-    v80 = v78 + (90.69722535867314)
-    v81 = v80 * v48
-    v83 = v81 + (16.763212110504565)
-    v84 = v83 * v48
-    v85 = v84 + (1.0)
-    v86 = v67 / v85
-    v87 = v48 * v86
-    v88 = (1.0) + v87
-    v89 = v46 * v88
-    v91 = (1.7724538509055159) * A
-    v92 = v91 * v89
-    v95 = (3.5449077018110318) * n
-    v96 = v95 * A
-    v97 = v96 / v22
-    v98 = v97 * v89
-    v100 = n + (0.0)
-    v101 = (1.0) / v100
-    v138 = eta * v23
-    return (v, t_m, t_h, n, E, v9, v12, v92, v98, v100, v101, v138)
+    v28 = n / (2.0)
+    v30 = v28 + (0.5)
+    v32 = v30 + (1.75)
+    v33 = v30 + (0.5)
+    v35 = v30 + (1.5)
+    v36 = v33 * v35
+    v37 = np.less(v30, (1.0))
+    v38 = v30 + (1.0)
+    v39 = v30 * v38
+    v40 = v39 / v36
+    v42 = v30 + (0.75)
+    v43 = v42 / v36
+    v44 = (1.0) - v43
+    v45 = v40 if v37 else v44
+    v46 = np.sqrt(v32)
+    v47 = v45 * v46
+    v48 = v32 * v32
+    v49 = (1.0) / v48
+    v51 = (0.01524698625788054) * v49
+    v53 = v51 + (0.5334320651111477)
+    v54 = v53 * v49
+    v56 = v54 + (2.250488865813539)
+    v57 = v56 * v49
+    v59 = v57 + (2.8612106440066865)
+    v60 = v59 * v49
+    v62 = v60 + (1.3794681629043655)
+    v63 = v62 * v49
+    v65 = v63 + (0.2596058532893223)
+    v66 = v65 * v49
+    v68 = v66 + (0.015624999999999823)
+    v70 = (3.278794792785737) * v49
+    v72 = v70 + (49.328555418276075)
+    v73 = v72 * v49
+    v75 = v73 + (167.28648538571198)
+    v76 = v75 * v49
+    v78 = v76 + (195.37226190335065)
+    v79 = v78 * v49
+    v81 = v79 + (90.69722535867314)
+    v82 = v81 * v49
+    v84 = v82 + (16.763212110504565)
+    v85 = v84 * v49
+    v86 = v85 + (1.0)
+    v87 = v68 / v86
+    v88 = v49 * v87
+    v89 = (1.0) + v88
+    v90 = v47 * v89
+    v92 = (1.7724538509055159) * A
+    v93 = v92 * v90
+    v96 = (3.5449077018110318) * n
+    v97 = v96 * A
+    v98 = v97 / v22
+    v99 = v98 * v90
+    v101 = n + (0.0)
+    v102 = (1.0) / v101
+    v139 = eta * v23
+    return (v, t_m, t_h, n, E, v9, v12, v93, v99, v101, v102, v139)
 
 
-def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, n, E, v9, v12, v92, v98, v100, v101, v138, t0, t1, t2, t3, t4, t5, m0, m1, m2, m3, f0):
+def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, n, E, v9, v12, v93, v99, v101, v102, v139, t0, t1, t2, t3, t4, t5, m0, m1, m2, m3, f0):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some144 = np.count_nonzero(m0)
-    if some144:
+    some145 = np.count_nonzero(m0)
+    if some145:
         some20 = np.count_nonzero(m0)
         if some20:
             np.greater(t, t_h, m1)
@@ -777,68 +777,69 @@ def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, n, E, v9, v12, v92, 
         if some20 != size:
             np.copyto(t0, t, where=~m0)
         np.greater(t0, C0, m1)
-        some120 = np.count_nonzero(m1)
-        if some120:
+        np.bitwise_and(m0, m1, m1)
+        some121 = np.count_nonzero(m1)
+        if some121:
             np.multiply(v, t0, out)
-            np.divide(out, v92, out)
-            np.multiply(v98, out, t1)
-            np.power(out, v101, t2)
+            np.divide(out, v93, out)
+            np.multiply(v99, out, t1)
+            np.power(out, v102, t2)
             np.greater(out, C0, m2)
             np.less(out, C2, m3)
             np.bitwise_and(m2, m3, m3)
-            some115 = np.count_nonzero(m3)
-            if some115:
+            some116 = np.count_nonzero(m3)
+            if some116:
                 np.power(t2, n, t3)
                 np.power(t2, C0, t4)
                 np.multiply(t3, t4, t4)
                 np.divide(out, t4, t4)
                 np.subtract(t4, C1, t4)
-                np.divide(t4, v100, t4)
+                np.divide(t4, v101, t4)
                 np.multiply(t2, t4, t4)
                 np.add(t2, t4, t3)
-            if some115 != size:
+            if some116 != size:
                 np.copyto(t3, t2, where=~m3)
             np.multiply(t1, t3, t3)
             np.multiply(C0, t0, t1)
             np.add(E, t1, t1)
             np.multiply(t3, t1, out)
-        if some120 != size:
+        if some121 != size:
             np.copyto(out, C0, where=~m1)
-    if some144 != size:
-        other144 = t0 if some144 else out
+    if some145 != size:
+        other145 = t0 if some145 else out
         np.equal(t, C0, m1)
-        some143 = np.count_nonzero(m1)
-        if some143:
-            np.copyto(other144, C0)
-        if some143 != size:
-            other143 = t1 if some143 else other144
-            np.multiply(v, t, other143)
-            np.divide(other143, v92, other143)
-            np.multiply(v98, other143, t3)
-            np.power(other143, v101, t2)
-            np.greater(other143, C0, m3)
-            np.less(other143, C2, m2)
+        some144 = np.count_nonzero(m1)
+        if some144:
+            np.copyto(other145, C0)
+        if some144 != size:
+            other144 = t1 if some144 else other145
+            np.multiply(v, t, other144)
+            np.divide(other144, v93, other144)
+            np.multiply(v99, other144, t3)
+            np.power(other144, v102, t2)
+            np.greater(other144, C0, m3)
+            np.less(other144, C2, m2)
             np.bitwise_and(m3, m2, m2)
-            some136 = np.count_nonzero(m2)
-            if some136:
+            some137 = np.count_nonzero(m2)
+            if some137:
                 np.power(t2, n, t4)
                 np.power(t2, C0, t5)
                 np.multiply(t4, t5, t5)
-                np.divide(other143, t5, t5)
+                np.divide(other144, t5, t5)
                 np.subtract(t5, C1, t5)
-                np.divide(t5, v100, t5)
+                np.divide(t5, v101, t5)
                 np.multiply(t2, t5, t5)
                 np.add(t2, t5, t4)
-            if some136 != size:
+            if some137 != size:
                 np.copyto(t4, t2, where=~m2)
             np.multiply(t3, t4, t4)
-            np.divide(v138, t, t3)
+            np.divide(v139, t, t3)
             np.add(E, t3, t3)
-            np.multiply(t4, t3, other143)
-            if some143:
-                np.copyto(other144, other143, where=~m1)
-        if some144:
-            np.copyto(out, other144, where=~m0)
+            np.multiply(t4, t3, other144)
+            if some144:
+                np.copyto(other145, other144, where=~m1)
+        if some145:
+            np.copyto(out, other145, where=~m0)
 
 
 def prepare_retract_force_kelvin_voigt_all():
@@ -859,18 +860,18 @@ def block_retract_force_kelvin_voigt_all(out, t, A, n, v, v_2, t_m, t_h, E, eta,
     np.add(t1, C5, t4)
     np.multiply(t3, t4, t4)
     np.less(t1, C1, m1)
-    some44 = np.count_nonzero(m1)
-    if some44:
+    some45 = np.count_nonzero(m1)
+    if some45:
         np.add(t1, C1, t3)
         np.multiply(t1, t3, t3)
         np.divide(t3, t4, t3)
-    if some44 != size:
-        other44 = t5 if some44 else t3
-        np.add(t1, C6, other44)
-        np.divide(other44, t4, other44)
-        np.subtract(C1, other44, other44)
-        if some44:
-            np.copyto(t3, other44, where=~m1)
+    if some45 != size:
+        other45 = t5 if some45 else t3
+        np.add(t1, C6, other45)
+        np.divide(other45, t4, other45)
+        np.subtract(C1, other45, other45)
+        if some45:
+            np.copyto(t3, other45, where=~m1)
     np.sqrt(t2, t4)
     np.multiply(t3, t4, t4)
     np.multiply(t2, t2, t2)
@@ -911,8 +912,8 @@ def block_retract_force_kelvin_voigt_all(out, t, A, n, v, v_2, t_m, t_h, E, eta,
     np.multiply(t2, t1, t1)
     np.add(n, C0, t2)
     np.divide(C1, t2, t3)
-    some144 = np.count_nonzero(m0)
-    if some144:
+    some145 = np.count_nonzero(m0)
+    if some145:
         some20 = np.count_nonzero(m0)
         if some20:
             np.greater(t, t_h, m1)
@@ -930,8 +931,9 @@ def block_retract_force_kelvin_voigt_all(out, t, A, n, v, v_2, t_m, t_h, E, eta,
         if some20 != size:
             np.copyto(t5, t, where=~m0)
         np.greater(t5, C0, m1)
-        some120 = np.count_nonzero(m1)
-        if some120:
+        np.bitwise_and(m0, m1, m1)
+        some121 = np.count_nonzero(m1)
+        if some121:
             np.multiply(v, t5, out)
             np.divide(out, t4, out)
             np.multiply(t1, out, t7)
@@ -939,8 +941,8 @@ def block_retract_force_kelvin_voigt_all(out, t, A, n, v, v_2, t_m, t_h, E, eta,
             np.greater(out, C0, m2)
             np.less(out, C2, m3)
             np.bitwise_and(m2, m3, m3)
-            some115 = np.count_nonzero(m3)
-            if some115:
+            some116 = np.count_nonzero(m3)
+            if some116:
                 np.power(t6, n, t8)
                 np.power(t6, C0, t9)
                 np.multiply(t8, t9, t9)
@@ -949,23 +951,23 @@ def block_retract_force_kelvin_voigt_all(out, t, A, n, v, v_2, t_m, t_h, E, eta,
                 np.divide(t9, t2, t9)
                 np.multiply(t6, t9, t9)
                 np.add(t6, t9, t8)
-            if some115 != size:
+            if some116 != size:
                 np.copyto(t8, t6, where=~m3)
             np.multiply(t7, t8, t8)
             np.multiply(C0, t5, t7)
             np.add(E, t7, t7)
             np.multiply(t8, t7, out)
-        if some120 != size:
+        if some121 != size:
             np.copyto(out, C0, where=~m1)
-    if some144 != size:
-        other144 = t5 if some144 else out
+    if some145 != size:
+        other145 = t5 if some145 else out
         np.equal(t, C0, m1)
-        some143 = np.count_nonzero(m1)
-        if some143:
-            np.copyto(other144, C0)
-        if some143 != size:
-            other143 = t7 if some143 else other144
-            np.divide(t0, n, other143)
+        some144 = np.count_nonzero(m1)
+        if some144:
+            np.copyto(other145, C0)
+        if some144 != size:
+            other144 = t7 if some144 else other145
+            np.divide(t0, n, other144)
             np.multiply(v, t, t8)
             np.divide(t8, t4, t8)
             np.multiply(t1, t8, t6)
@@ -973,8 +975,8 @@ def block_retract_force_kelvin_voigt_all(out, t, A, n, v, v_2, t_m, t_h, E, eta,
             np.greater(t8, C0, m3)
             np.less(t8, C2, m2)
             np.bitwise_and(m3, m2, m2)
-            some136 = np.count_nonzero(m2)
-            if some136:
+            some137 = np.count_nonzero(m2)
+            if some137:
                 np.power(t9, n, t10)
                 np.power(t9, C0, t11)
                 np.multiply(t10, t11, t11)
@@ -983,17 +985,17 @@ def block_retract_force_kelvin_voigt_all(out, t, A, n, v, v_2, t_m, t_h, E, eta,
                 np.divide(t11, t2, t11)
                 np.multiply(t9, t11, t11)
                 np.add(t9, t11, t10)
-            if some136 != size:
+            if some137 != size:
                 np.copyto(t10, t9, where=~m2)
             np.multiply(t6, t10, t10)
-            np.multiply(eta, other143, other143)
-            np.divide(other143, t, other143)
-            np.add(E, other143, other143)
-            np.multiply(t10, other143, other143)
-            if some143:
-                np.copyto(other144, other143, where=~m1)
-        if some144:
-            np.copyto(out, other144, where=~m0)
+            np.multiply(eta, other144, other144)
+            np.divide(other144, t, other144)
+            np.add(E, other144, other144)
+            np.multiply(t10, other144, other144)
+            if some144:
+                np.copyto(other145, other144, where=~m1)
+        if some145:
+            np.copyto(out, other145, where=~m0)
 
 
 def retract_force_maxwell(t, v, v_2, t_m, t_h, A, n, E, tau):

@@ -496,17 +496,17 @@ def retract_force_kelvin_voigt(t, v, v_2, t_m, t_h, A, E, eta):
                     v19 = v17 if v17 > 0.0 or v17 != v17 else 0.0
                 else:
                     v19 = t
-                if v19 > 0.0:
-                    v21 = v * v19
-                    value = 0.8 * v21 * sqrt(sqrt(6.0 * v21 / A)) * (E + 0.0 * v19)
+                if v16 and v19 > 0.0:
+                    v22 = v * v19
+                    value = 0.8 * v22 * sqrt(sqrt(6.0 * v22 / A)) * (E + 0.0 * v19)
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
                     return None
                 return 0.0
             if t == 0.0:
                 return 0.0
-            v37 = v * t
-            return 0.8 * v37 * sqrt(sqrt(6.0 * v37 / A)) * (E + eta * 1.25 / t)
+            v38 = v * t
+            return 0.8 * v38 * sqrt(sqrt(6.0 * v38 / A)) * (E + eta * 1.25 / t)
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -515,18 +515,18 @@ def retract_force_kelvin_voigt(t, v, v_2, t_m, t_h, A, E, eta):
 def prepare_retract_force_kelvin_voigt_t(A, v, v_2, t_m, t_h, E, eta):
     v8 = v_2 / v
     v11 = eta / E
-    v42 = eta * (1.25)
-    return (v, t_m, t_h, A, E, v8, v11, v42)
+    v43 = eta * (1.25)
+    return (v, t_m, t_h, A, E, v8, v11, v43)
 
 
-def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, A, E, v8, v11, v42, t0, t1, t2, m0, m1, f0):
+def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, A, E, v8, v11, v43, t0, t1, t2, m0, m1, f0):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some48 = np.count_nonzero(m0)
-    if some48:
+    some49 = np.count_nonzero(m0)
+    if some49:
         some19 = np.count_nonzero(m0)
         if some19:
             np.greater(t, t_h, m1)
@@ -542,8 +542,9 @@ def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, A, E, v8, v11, v42, 
         if some19 != size:
             np.copyto(t0, t, where=~m0)
         np.greater(t0, C0, m1)
-        some33 = np.count_nonzero(m1)
-        if some33:
+        np.bitwise_and(m0, m1, m1)
+        some34 = np.count_nonzero(m1)
+        if some34:
             np.multiply(v, t0, out)
             np.multiply(C3, out, t1)
             np.multiply(C4, out, out)
@@ -554,30 +555,30 @@ def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, A, E, v8, v11, v42, 
             np.multiply(C0, t0, t1)
             np.add(E, t1, t1)
             np.multiply(out, t1, out)
-        if some33 != size:
+        if some34 != size:
             np.copyto(out, C0, where=~m1)
-    if some48 != size:
-        other48 = t0 if some48 else out
+    if some49 != size:
+        other49 = t0 if some49 else out
         np.equal(t, C0, m1)
-        some47 = np.count_nonzero(m1)
-        if some47:
-            np.copyto(other48, C0)
-        if some47 != size:
-            other47 = t1 if some47 else other48
-            np.multiply(v, t, other47)
-            np.multiply(C3, other47, t2)
-            np.multiply(C4, other47, other47)
-            np.divide(other47, A, other47)
-            np.sqrt(other47, other47)
-            np.sqrt(other47, other47)
-            np.multiply(t2, other47, other47)
-            np.divide(v42, t, t2)
-            np.add(E, t2, t2)
-            np.multiply(other47, t2, other47)
-            if some47:
-                np.copyto(other48, other47, where=~m1)
+        some48 = np.count_nonzero(m1)
         if some48:
-            np.copyto(out, other48, where=~m0)
+            np.copyto(other49, C0)
+        if some48 != size:
+            other48 = t1 if some48 else other49
+            np.multiply(v, t, other48)
+            np.multiply(C3, other48, t2)
+            np.multiply(C4, other48, other48)
+            np.divide(other48, A, other48)
+            np.sqrt(other48, other48)
+            np.sqrt(other48, other48)
+            np.multiply(t2, other48, other48)
+            np.divide(v43, t, t2)
+            np.add(E, t2, t2)
+            np.multiply(other48, t2, other48)
+            if some48:
+                np.copyto(other49, other48, where=~m1)
+        if some49:
+            np.copyto(out, other49, where=~m0)
 
 
 def prepare_retract_force_kelvin_voigt_all():
@@ -590,8 +591,8 @@ def block_retract_force_kelvin_voigt_all(out, t, A, v, v_2, t_m, t_h, E, eta, t0
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some48 = np.count_nonzero(m0)
-    if some48:
+    some49 = np.count_nonzero(m0)
+    if some49:
         some19 = np.count_nonzero(m0)
         if some19:
             np.greater(t, t_h, m1)
@@ -609,8 +610,9 @@ def block_retract_force_kelvin_voigt_all(out, t, A, v, v_2, t_m, t_h, E, eta, t0
         if some19 != size:
             np.copyto(t0, t, where=~m0)
         np.greater(t0, C0, m1)
-        some33 = np.count_nonzero(m1)
-        if some33:
+        np.bitwise_and(m0, m1, m1)
+        some34 = np.count_nonzero(m1)
+        if some34:
             np.multiply(v, t0, out)
             np.multiply(C3, out, t2)
             np.multiply(C4, out, out)
@@ -621,31 +623,31 @@ def block_retract_force_kelvin_voigt_all(out, t, A, v, v_2, t_m, t_h, E, eta, t0
             np.multiply(C0, t0, t2)
             np.add(E, t2, t2)
             np.multiply(out, t2, out)
-        if some33 != size:
+        if some34 != size:
             np.copyto(out, C0, where=~m1)
-    if some48 != size:
-        other48 = t0 if some48 else out
+    if some49 != size:
+        other49 = t0 if some49 else out
         np.equal(t, C0, m1)
-        some47 = np.count_nonzero(m1)
-        if some47:
-            np.copyto(other48, C0)
-        if some47 != size:
-            other47 = t2 if some47 else other48
-            np.multiply(v, t, other47)
-            np.multiply(C3, other47, t1)
-            np.multiply(C4, other47, other47)
-            np.divide(other47, A, other47)
-            np.sqrt(other47, other47)
-            np.sqrt(other47, other47)
-            np.multiply(t1, other47, other47)
+        some48 = np.count_nonzero(m1)
+        if some48:
+            np.copyto(other49, C0)
+        if some48 != size:
+            other48 = t2 if some48 else other49
+            np.multiply(v, t, other48)
+            np.multiply(C3, other48, t1)
+            np.multiply(C4, other48, other48)
+            np.divide(other48, A, other48)
+            np.sqrt(other48, other48)
+            np.sqrt(other48, other48)
+            np.multiply(t1, other48, other48)
             np.multiply(eta, C5, t1)
             np.divide(t1, t, t1)
             np.add(E, t1, t1)
-            np.multiply(other47, t1, other47)
-            if some47:
-                np.copyto(other48, other47, where=~m1)
-        if some48:
-            np.copyto(out, other48, where=~m0)
+            np.multiply(other48, t1, other48)
+            if some48:
+                np.copyto(other49, other48, where=~m1)
+        if some49:
+            np.copyto(out, other49, where=~m0)
 
 
 def retract_force_maxwell(t, v, v_2, t_m, t_h, A, E, tau):

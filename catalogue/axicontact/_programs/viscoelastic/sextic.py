@@ -531,21 +531,21 @@ def retract_force_kelvin_voigt(t, v, v_2, t_m, t_h, A, E, eta):
                     v19 = v17 if v17 > 0.0 or v17 != v17 else 0.0
                 else:
                     v19 = t
-                if v19 > 0.0:
-                    v21 = v * v19
-                    v26 = 20.0 * v21 / A
-                    v28 = pow(v26, 0.16666666666666666)
-                    value = 0.8571428571428571 * v21 * (v28 + v28 * ((v26 / (pow(v28, 6.0) * pow(v28, 0.0)) - 1.0) / 6.0) if v26 > 0.0 and v26 < inf else v28) * (E + 0.0 * v19)
+                if v16 and v19 > 0.0:
+                    v22 = v * v19
+                    v27 = 20.0 * v22 / A
+                    v29 = pow(v27, 0.16666666666666666)
+                    value = 0.8571428571428571 * v22 * (v29 + v29 * ((v27 / (pow(v29, 6.0) * pow(v29, 0.0)) - 1.0) / 6.0) if v27 > 0.0 and v27 < inf else v29) * (E + 0.0 * v19)
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
                     return None
                 return 0.0
             if t == 0.0:
                 return 0.0
-            v52 = v * t
-            v55 = 20.0 * v52 / A
-            v56 = pow(v55, 0.16666666666666666)
-            value = 0.8571428571428571 * v52 * (v56 + v56 * ((v55 / (pow(v56, 6.0) * pow(v56, 0.0)) - 1.0) / 6.0) if v55 > 0.0 and v55 < inf else v56) * (E + eta * 1.1666666666666667 / t)
+            v53 = v * t
+            v56 = 20.0 * v53 / A
+            v57 = pow(v56, 0.16666666666666666)
+            value = 0.8571428571428571 * v53 * (v57 + v57 * ((v56 / (pow(v57, 6.0) * pow(v57, 0.0)) - 1.0) / 6.0) if v56 > 0.0 and v56 < inf else v57) * (E + eta * 1.1666666666666667 / t)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             return None
@@ -557,18 +557,18 @@ def retract_force_kelvin_voigt(t, v, v_2, t_m, t_h, A, E, eta):
 def prepare_retract_force_kelvin_voigt_t(A, v, v_2, t_m, t_h, E, eta):
     v8 = v_2 / v
     v11 = eta / E
-    v68 = eta * (1.1666666666666667)
-    return (v, t_m, t_h, A, E, v8, v11, v68)
+    v69 = eta * (1.1666666666666667)
+    return (v, t_m, t_h, A, E, v8, v11, v69)
 
 
-def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, A, E, v8, v11, v68, t0, t1, t2, t3, t4, t5, m0, m1, m2, m3, f0):
+def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, A, E, v8, v11, v69, t0, t1, t2, t3, t4, t5, m0, m1, m2, m3, f0):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some74 = np.count_nonzero(m0)
-    if some74:
+    some75 = np.count_nonzero(m0)
+    if some75:
         some19 = np.count_nonzero(m0)
         if some19:
             np.greater(t, t_h, m1)
@@ -584,8 +584,9 @@ def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, A, E, v8, v11, v68, 
         if some19 != size:
             np.copyto(t0, t, where=~m0)
         np.greater(t0, C0, m1)
-        some48 = np.count_nonzero(m1)
-        if some48:
+        np.bitwise_and(m0, m1, m1)
+        some49 = np.count_nonzero(m1)
+        if some49:
             np.multiply(v, t0, out)
             np.multiply(C3, out, t1)
             np.multiply(C4, out, out)
@@ -594,8 +595,8 @@ def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, A, E, v8, v11, v68, 
             np.greater(out, C0, m2)
             np.less(out, C2, m3)
             np.bitwise_and(m2, m3, m3)
-            some43 = np.count_nonzero(m3)
-            if some43:
+            some44 = np.count_nonzero(m3)
+            if some44:
                 np.power(t2, C6, t3)
                 np.power(t2, C0, t4)
                 np.multiply(t3, t4, t4)
@@ -604,50 +605,50 @@ def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, A, E, v8, v11, v68, 
                 np.divide(t4, C6, t4)
                 np.multiply(t2, t4, t4)
                 np.add(t2, t4, t3)
-            if some43 != size:
+            if some44 != size:
                 np.copyto(t3, t2, where=~m3)
             np.multiply(t1, t3, t3)
             np.multiply(C0, t0, t1)
             np.add(E, t1, t1)
             np.multiply(t3, t1, out)
-        if some48 != size:
+        if some49 != size:
             np.copyto(out, C0, where=~m1)
-    if some74 != size:
-        other74 = t0 if some74 else out
+    if some75 != size:
+        other75 = t0 if some75 else out
         np.equal(t, C0, m1)
-        some73 = np.count_nonzero(m1)
-        if some73:
-            np.copyto(other74, C0)
-        if some73 != size:
-            other73 = t1 if some73 else other74
-            np.multiply(v, t, other73)
-            np.multiply(C3, other73, t3)
-            np.multiply(C4, other73, other73)
-            np.divide(other73, A, other73)
-            np.power(other73, C5, t2)
-            np.greater(other73, C0, m3)
-            np.less(other73, C2, m2)
+        some74 = np.count_nonzero(m1)
+        if some74:
+            np.copyto(other75, C0)
+        if some74 != size:
+            other74 = t1 if some74 else other75
+            np.multiply(v, t, other74)
+            np.multiply(C3, other74, t3)
+            np.multiply(C4, other74, other74)
+            np.divide(other74, A, other74)
+            np.power(other74, C5, t2)
+            np.greater(other74, C0, m3)
+            np.less(other74, C2, m2)
             np.bitwise_and(m3, m2, m2)
-            some65 = np.count_nonzero(m2)
-            if some65:
+            some66 = np.count_nonzero(m2)
+            if some66:
                 np.power(t2, C6, t4)
                 np.power(t2, C0, t5)
                 np.multiply(t4, t5, t5)
-                np.divide(other73, t5, t5)
+                np.divide(other74, t5, t5)
                 np.subtract(t5, C1, t5)
                 np.divide(t5, C6, t5)
                 np.multiply(t2, t5, t5)
                 np.add(t2, t5, t4)
-            if some65 != size:
+            if some66 != size:
                 np.copyto(t4, t2, where=~m2)
             np.multiply(t3, t4, t4)
-            np.divide(v68, t, t3)
+            np.divide(v69, t, t3)
             np.add(E, t3, t3)
-            np.multiply(t4, t3, other73)
-            if some73:
-                np.copyto(other74, other73, where=~m1)
-        if some74:
-            np.copyto(out, other74, where=~m0)
+            np.multiply(t4, t3, other74)
+            if some74:
+                np.copyto(other75, other74, where=~m1)
+        if some75:
+            np.copyto(out, other75, where=~m0)
 
 
 def prepare_retract_force_kelvin_voigt_all():
@@ -660,8 +661,8 @@ def block_retract_force_kelvin_voigt_all(out, t, A, v, v_2, t_m, t_h, E, eta, t0
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    some74 = np.count_nonzero(m0)
-    if some74:
+    some75 = np.count_nonzero(m0)
+    if some75:
         some19 = np.count_nonzero(m0)
         if some19:
             np.greater(t, t_h, m1)
@@ -679,8 +680,9 @@ def block_retract_force_kelvin_voigt_all(out, t, A, v, v_2, t_m, t_h, E, eta, t0
         if some19 != size:
             np.copyto(t0, t, where=~m0)
         np.greater(t0, C0, m1)
-        some48 = np.count_nonzero(m1)
-        if some48:
+        np.bitwise_and(m0, m1, m1)
+        some49 = np.count_nonzero(m1)
+        if some49:
             np.multiply(v, t0, out)
             np.multiply(C3, out, t2)
             np.multiply(C4, out, out)
@@ -689,8 +691,8 @@ def block_retract_force_kelvin_voigt_all(out, t, A, v, v_2, t_m, t_h, E, eta, t0
             np.greater(out, C0, m2)
             np.less(out, C2, m3)
             np.bitwise_and(m2, m3, m3)
-            some43 = np.count_nonzero(m3)
-            if some43:
+            some44 = np.count_nonzero(m3)
+            if some44:
                 np.power(t1, C6, t3)
                 np.power(t1, C0, t4)
                 np.multiply(t3, t4, t4)
@@ -699,51 +701,51 @@ def block_retract_force_kelvin_voigt_all(out, t, A, v, v_2, t_m, t_h, E, eta, t0
                 np.divide(t4, C6, t4)
                 np.multiply(t1, t4, t4)
                 np.add(t1, t4, t3)
-            if some43 != size:
+            if some44 != size:
                 np.copyto(t3, t1, where=~m3)
             np.multiply(t2, t3, t3)
             np.multiply(C0, t0, t2)
             np.add(E, t2, t2)
             np.multiply(t3, t2, out)
-        if some48 != size:
+        if some49 != size:
             np.copyto(out, C0, where=~m1)
-    if some74 != size:
-        other74 = t0 if some74 else out
+    if some75 != size:
+        other75 = t0 if some75 else out
         np.equal(t, C0, m1)
-        some73 = np.count_nonzero(m1)
-        if some73:
-            np.copyto(other74, C0)
-        if some73 != size:
-            other73 = t2 if some73 else other74
-            np.multiply(v, t, other73)
-            np.multiply(C3, other73, t3)
-            np.multiply(C4, other73, other73)
-            np.divide(other73, A, other73)
-            np.power(other73, C5, t1)
-            np.greater(other73, C0, m3)
-            np.less(other73, C2, m2)
+        some74 = np.count_nonzero(m1)
+        if some74:
+            np.copyto(other75, C0)
+        if some74 != size:
+            other74 = t2 if some74 else other75
+            np.multiply(v, t, other74)
+            np.multiply(C3, other74, t3)
+            np.multiply(C4, other74, other74)
+            np.divide(other74, A, other74)
+            np.power(other74, C5, t1)
+            np.greater(other74, C0, m3)
+            np.less(other74, C2, m2)
             np.bitwise_and(m3, m2, m2)
-            some65 = np.count_nonzero(m2)
-            if some65:
+            some66 = np.count_nonzero(m2)
+            if some66:
                 np.power(t1, C6, t4)
                 np.power(t1, C0, t5)
                 np.multiply(t4, t5, t5)
-                np.divide(other73, t5, t5)
+                np.divide(other74, t5, t5)
                 np.subtract(t5, C1, t5)
                 np.divide(t5, C6, t5)
                 np.multiply(t1, t5, t5)
                 np.add(t1, t5, t4)
-            if some65 != size:
+            if some66 != size:
                 np.copyto(t4, t1, where=~m2)
             np.multiply(t3, t4, t4)
             np.multiply(eta, C7, t3)
             np.divide(t3, t, t3)
             np.add(E, t3, t3)
-            np.multiply(t4, t3, other73)
-            if some73:
-                np.copyto(other74, other73, where=~m1)
-        if some74:
-            np.copyto(out, other74, where=~m0)
+            np.multiply(t4, t3, other74)
+            if some74:
+                np.copyto(other75, other74, where=~m1)
+        if some75:
+            np.copyto(out, other75, where=~m0)
 
 
 def retract_force_maxwell(t, v, v_2, t_m, t_h, A, E, tau):

@@ -63,7 +63,8 @@ def _retract_radius_kelvin_voigt(t, v, v_2, t_m, t_h, theta, b, E, eta):
 def _retract_force_kelvin_voigt(t, v, v_2, t_m, t_h, theta, b, E, eta):
     lag = lag_kelvin_voigt(t, t_m, t_h, v_2 / v, E, eta)
     t_1 = earlier(t, t_m, lag)
-    return (normal._force_from_depth(v * t_1, theta, b, 1.0) * E if t_1 > 0.0 else 0.0) if t > t_m else _ramp_force_kelvin_voigt(t, v, theta, b, E, eta)
+    back = normal._force_from_depth(v * t_1, theta, b, 1.0) * E if (t > t_m) & (t_1 > 0.0) else 0.0
+    return back if t > t_m else _ramp_force_kelvin_voigt(t, v, theta, b, E, eta)
 
 
 def _pressed_standard_solid(t_1, since, v, theta, b, E_inf, E_1, tau):

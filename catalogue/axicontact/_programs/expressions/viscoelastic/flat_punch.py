@@ -35,13 +35,11 @@ def contact_time_maxwell(xp, v, v_2, t_m, t_h, E, tau):
 def retract_force_maxwell(xp, t, v, v_2, t_m, t_h, a, E, tau):
     v1 = t > t_m
     v2 = xp.where(v1, t, 2.0 * t_m)
-    v4 = lag_maxwell(xp, v2, t_m, t_h, v_2 / v, E, tau)
-    v5 = earlier(xp, v2, t_m, v4)
-    v6 = v5 > 0.0
-    v7 = xp.where(v6, v5, 1.0)
-    v14 = kept_maxwell(xp, v2, v7, xp.maximum(v2 - t_m, 0.0) + v4, 1.0, E, tau)
-    v18 = ramp_force_maxwell(xp, xp.where(v1, 0.5 * t_m, t), v, a, E, tau)
-    return xp.where(v1, xp.where(v6, 2.0 * (v * v7) * a * v14, 0.0), v18)
+    v5 = lag_maxwell(xp, v2, t_m, t_h, v_2 / v, E, tau)
+    v6 = earlier(xp, v2, t_m, v5)
+    v15 = kept_maxwell(xp, v2, v6, xp.maximum(v2 - t_m, 0.0) + v5, 1.0, E, tau)
+    v17 = xp.where((v2 > t_m) & (v6 > 0.0), 2.0 * (v * v6) * a * v15, 0.0)
+    return xp.where(v1, v17, ramp_force_maxwell(xp, xp.where(v1, 0.5 * t_m, t), v, a, E, tau))
 
 
 def step_force_maxwell(xp, t, d, a, E, tau):
@@ -63,11 +61,10 @@ def contact_time_kelvin_voigt(xp, v, v_2, t_m, t_h, E, eta):
 def retract_force_kelvin_voigt(xp, t, v, v_2, t_m, t_h, a, E, eta):
     v1 = t > t_m
     v2 = xp.where(v1, t, 2.0 * t_m)
-    v5 = earlier(xp, v2, t_m, lag_kelvin_voigt(xp, v2, t_m, t_h, v_2 / v, E, eta))
-    v6 = v5 > 0.0
-    v7 = xp.where(v6, v5, 1.0)
-    v16 = ramp_force_kelvin_voigt(xp, xp.where(v1, 0.5 * t_m, t), v, a, E, eta)
-    return xp.where(v1, xp.where(v6, 2.0 * (v * v7) * a * (E + 0.0 * v7), 0.0), v16)
+    v6 = earlier(xp, v2, t_m, lag_kelvin_voigt(xp, v2, t_m, t_h, v_2 / v, E, eta))
+    v15 = xp.where((v2 > t_m) & (v6 > 0.0), 2.0 * (v * v6) * a * (E + 0.0 * v6), 0.0)
+    v18 = xp.where(v1, v15, ramp_force_kelvin_voigt(xp, xp.where(v1, 0.5 * t_m, t), v, a, E, eta))
+    return v18
 
 
 def step_force_kelvin_voigt(xp, t, d, a, E, eta):
@@ -92,13 +89,12 @@ def contact_time_standard_solid(xp, v, v_2, t_m, t_h, E_inf, E_1, tau):
 def retract_force_standard_solid(xp, t, v, v_2, t_m, t_h, a, E_inf, E_1, tau):
     v1 = t > t_m
     v2 = xp.where(v1, t, 2.0 * t_m)
-    v4 = lag_standard_solid(xp, v2, t_m, t_h, v_2 / v, E_inf, E_1, tau)
-    v5 = earlier(xp, v2, t_m, v4)
-    v6 = v5 > 0.0
-    v7 = xp.where(v6, v5, 1.0)
-    v14 = kept_standard_solid(xp, v2, v7, xp.maximum(v2 - t_m, 0.0) + v4, 1.0, E_inf, E_1, tau)
-    v18 = ramp_force_standard_solid(xp, xp.where(v1, 0.5 * t_m, t), v, a, E_inf, E_1, tau)
-    return xp.where(v1, xp.where(v6, 2.0 * (v * v7) * a * v14, 0.0), v18)
+    v5 = lag_standard_solid(xp, v2, t_m, t_h, v_2 / v, E_inf, E_1, tau)
+    v6 = earlier(xp, v2, t_m, v5)
+    v15 = kept_standard_solid(xp, v2, v6, xp.maximum(v2 - t_m, 0.0) + v5, 1.0, E_inf, E_1, tau)
+    v19 = ramp_force_standard_solid(xp, xp.where(v1, 0.5 * t_m, t), v, a, E_inf, E_1, tau)
+    v20 = xp.where(v1, xp.where((v2 > t_m) & (v6 > 0.0), 2.0 * (v * v6) * a * v15, 0.0), v19)
+    return v20
 
 
 def step_force_standard_solid(xp, t, d, a, E_inf, E_1, tau):
@@ -121,13 +117,12 @@ def contact_time_power_creep(xp, v, v_2, t_m, t_h, E, alpha, t_0):
 def retract_force_power_creep(xp, t, v, v_2, t_m, t_h, a, E, alpha, t_0):
     v1 = t > t_m
     v2 = xp.where(v1, t, 2.0 * t_m)
-    v4 = lag_power_creep(xp, v2, t_m, t_h, v_2 / v, E, alpha, t_0)
-    v5 = earlier(xp, v2, t_m, v4)
-    v6 = v5 > 0.0
-    v7 = xp.where(v6, v5, 1.0)
-    v14 = kept_power_creep(xp, v2, v7, xp.maximum(v2 - t_m, 0.0) + v4, 1.0, E, alpha, t_0)
-    v18 = ramp_force_power_creep(xp, xp.where(v1, 0.5 * t_m, t), v, a, E, alpha, t_0)
-    return xp.where(v1, xp.where(v6, 2.0 * (v * v7) * a * v14, 0.0), v18)
+    v5 = lag_power_creep(xp, v2, t_m, t_h, v_2 / v, E, alpha, t_0)
+    v6 = earlier(xp, v2, t_m, v5)
+    v15 = kept_power_creep(xp, v2, v6, xp.maximum(v2 - t_m, 0.0) + v5, 1.0, E, alpha, t_0)
+    v19 = ramp_force_power_creep(xp, xp.where(v1, 0.5 * t_m, t), v, a, E, alpha, t_0)
+    v20 = xp.where(v1, xp.where((v2 > t_m) & (v6 > 0.0), 2.0 * (v * v6) * a * v15, 0.0), v19)
+    return v20
 
 
 def step_force_power_creep(xp, t, d, a, E, alpha, t_0):

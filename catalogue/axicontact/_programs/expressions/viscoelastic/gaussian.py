@@ -58,11 +58,10 @@ def contact_time_kelvin_voigt(xp, v, v_2, t_m, t_h, E, eta):
 def retract_force_kelvin_voigt(xp, t, v, v_2, t_m, t_h, h, s, E, eta):
     v1 = t > t_m
     v2 = xp.where(v1, t, 2.0 * t_m)
-    v5 = earlier(xp, v2, t_m, lag_kelvin_voigt(xp, v2, t_m, t_h, v_2 / v, E, eta))
-    v6 = v5 > 0.0
-    v11 = xp.where(v6, normal_force_from_depth(xp, v * xp.where(v6, v5, 1.0), h, s, 1.0) * E, 0.0)
-    v14 = xp.where(v1, v11, ramp_force_kelvin_voigt(xp, xp.where(v1, 0.5 * t_m, t), v, h, s, E, eta))
-    return v14
+    v6 = earlier(xp, v2, t_m, lag_kelvin_voigt(xp, v2, t_m, t_h, v_2 / v, E, eta))
+    v12 = xp.where((v2 > t_m) & (v6 > 0.0), normal_force_from_depth(xp, v * v6, h, s, 1.0) * E, 0.0)
+    v15 = xp.where(v1, v12, ramp_force_kelvin_voigt(xp, xp.where(v1, 0.5 * t_m, t), v, h, s, E, eta))
+    return v15
 
 
 def retract_radius_kelvin_voigt(xp, t, v, v_2, t_m, t_h, h, s, E, eta):

@@ -41,13 +41,12 @@ def contact_time_maxwell(xp, v, v_2, t_m, t_h, E, tau):
 def retract_force_maxwell(xp, t, v, v_2, t_m, t_h, A, n, E, tau):
     v1 = t > t_m
     v2 = xp.where(v1, t, 2.0 * t_m)
-    v4 = lag_maxwell(xp, v2, t_m, t_h, v_2 / v, E, tau)
-    v5 = earlier(xp, v2, t_m, v4)
-    v6 = v5 > 0.0
-    v7 = xp.where(v6, v5, 1.0)
-    v15 = kept_maxwell(xp, v2, v7, xp.maximum(v2 - t_m, 0.0) + v4, (n + 1.0) / n, E, tau)
-    v17 = xp.where(v6, normal_force_from_depth(xp, v * v7, A, n, 1.0) * v15, 0.0)
-    return xp.where(v1, v17, ramp_force_maxwell(xp, xp.where(v1, 0.5 * t_m, t), v, A, n, E, tau))
+    v5 = lag_maxwell(xp, v2, t_m, t_h, v_2 / v, E, tau)
+    v6 = earlier(xp, v2, t_m, v5)
+    v16 = kept_maxwell(xp, v2, v6, xp.maximum(v2 - t_m, 0.0) + v5, (n + 1.0) / n, E, tau)
+    v17 = normal_force_from_depth(xp, v * v6, A, n, 1.0) * v16
+    v20 = ramp_force_maxwell(xp, xp.where(v1, 0.5 * t_m, t), v, A, n, E, tau)
+    return xp.where(v1, xp.where((v2 > t_m) & (v6 > 0.0), v17, 0.0), v20)
 
 
 def retract_radius_maxwell(xp, t, v, v_2, t_m, t_h, A, n, E, tau):
@@ -80,12 +79,10 @@ def contact_time_kelvin_voigt(xp, v, v_2, t_m, t_h, E, eta):
 def retract_force_kelvin_voigt(xp, t, v, v_2, t_m, t_h, A, n, E, eta):
     v1 = t > t_m
     v2 = xp.where(v1, t, 2.0 * t_m)
-    v5 = earlier(xp, v2, t_m, lag_kelvin_voigt(xp, v2, t_m, t_h, v_2 / v, E, eta))
-    v6 = v5 > 0.0
-    v7 = xp.where(v6, v5, 1.0)
-    v13 = xp.where(v6, normal_force_from_depth(xp, v * v7, A, n, 1.0) * (E + 0.0 * v7), 0.0)
-    v16 = xp.where(v1, v13, ramp_force_kelvin_voigt(xp, xp.where(v1, 0.5 * t_m, t), v, A, n, E, eta))
-    return v16
+    v6 = earlier(xp, v2, t_m, lag_kelvin_voigt(xp, v2, t_m, t_h, v_2 / v, E, eta))
+    v13 = normal_force_from_depth(xp, v * v6, A, n, 1.0) * (E + 0.0 * v6)
+    v16 = ramp_force_kelvin_voigt(xp, xp.where(v1, 0.5 * t_m, t), v, A, n, E, eta)
+    return xp.where(v1, xp.where((v2 > t_m) & (v6 > 0.0), v13, 0.0), v16)
 
 
 def retract_radius_kelvin_voigt(xp, t, v, v_2, t_m, t_h, A, n, E, eta):
@@ -120,15 +117,13 @@ def contact_time_standard_solid(xp, v, v_2, t_m, t_h, E_inf, E_1, tau):
 def retract_force_standard_solid(xp, t, v, v_2, t_m, t_h, A, n, E_inf, E_1, tau):
     v1 = t > t_m
     v2 = xp.where(v1, t, 2.0 * t_m)
-    v4 = lag_standard_solid(xp, v2, t_m, t_h, v_2 / v, E_inf, E_1, tau)
-    v5 = earlier(xp, v2, t_m, v4)
-    v6 = v5 > 0.0
-    v7 = xp.where(v6, v5, 1.0)
-    v12 = xp.maximum(v2 - t_m, 0.0) + v4
-    v15 = kept_standard_solid(xp, v2, v7, v12, (n + 1.0) / n, E_inf, E_1, tau)
-    v19 = ramp_force_standard_solid(xp, xp.where(v1, 0.5 * t_m, t), v, A, n, E_inf, E_1, tau)
-    v20 = xp.where(v1, xp.where(v6, normal_force_from_depth(xp, v * v7, A, n, 1.0) * v15, 0.0), v19)
-    return v20
+    v5 = lag_standard_solid(xp, v2, t_m, t_h, v_2 / v, E_inf, E_1, tau)
+    v6 = earlier(xp, v2, t_m, v5)
+    v13 = xp.maximum(v2 - t_m, 0.0) + v5
+    v16 = kept_standard_solid(xp, v2, v6, v13, (n + 1.0) / n, E_inf, E_1, tau)
+    v17 = normal_force_from_depth(xp, v * v6, A, n, 1.0) * v16
+    v20 = ramp_force_standard_solid(xp, xp.where(v1, 0.5 * t_m, t), v, A, n, E_inf, E_1, tau)
+    return xp.where(v1, xp.where((v2 > t_m) & (v6 > 0.0), v17, 0.0), v20)
 
 
 def retract_radius_standard_solid(xp, t, v, v_2, t_m, t_h, A, n, E_inf, E_1, tau):
@@ -163,14 +158,12 @@ def contact_time_power_creep(xp, v, v_2, t_m, t_h, E, alpha, t_0):
 def retract_force_power_creep(xp, t, v, v_2, t_m, t_h, A, n, E, alpha, t_0):
     v1 = t > t_m
     v2 = xp.where(v1, t, 2.0 * t_m)
-    v4 = lag_power_creep(xp, v2, t_m, t_h, v_2 / v, E, alpha, t_0)
-    v5 = earlier(xp, v2, t_m, v4)
-    v6 = v5 > 0.0
-    v7 = xp.where(v6, v5, 1.0)
-    v15 = kept_power_creep(xp, v2, v7, xp.maximum(v2 - t_m, 0.0) + v4, (n + 1.0) / n, E, alpha, t_0)
-    v19 = ramp_force_power_creep(xp, xp.where(v1, 0.5 * t_m, t), v, A, n, E, alpha, t_0)
-    v20 = xp.where(v1, xp.where(v6, normal_force_from_depth(xp, v * v7, A, n, 1.0) * v15, 0.0), v19)
-    return v20
+    v5 = lag_power_creep(xp, v2, t_m, t_h, v_2 / v, E, alpha, t_0)
+    v6 = earlier(xp, v2, t_m, v5)
+    v16 = kept_power_creep(xp, v2, v6, xp.maximum(v2 - t_m, 0.0) + v5, (n + 1.0) / n, E, alpha, t_0)
+    v17 = normal_force_from_depth(xp, v * v6, A, n, 1.0) * v16
+    v20 = ramp_force_power_creep(xp, xp.where(v1, 0.5 * t_m, t), v, A, n, E, alpha, t_0)
+    return xp.where(v1, xp.where((v2 > t_m) & (v6 > 0.0), v17, 0.0), v20)
 
 
 def retract_radius_power_creep(xp, t, v, v_2, t_m, t_h, A, n, E, alpha, t_0):

@@ -41,13 +41,11 @@ def contact_time_maxwell(xp, v, v_2, t_m, t_h, E, tau):
 def retract_force_maxwell(xp, t, v, v_2, t_m, t_h, A, E, tau):
     v1 = t > t_m
     v2 = xp.where(v1, t, 2.0 * t_m)
-    v4 = lag_maxwell(xp, v2, t_m, t_h, v_2 / v, E, tau)
-    v5 = earlier(xp, v2, t_m, v4)
-    v6 = v5 > 0.0
-    v7 = xp.where(v6, v5, 1.0)
-    v13 = kept_maxwell(xp, v2, v7, xp.maximum(v2 - t_m, 0.0) + v4, 1.1666666666666667, E, tau)
-    v15 = xp.where(v6, normal_force_from_depth(xp, v * v7, A, 1.0) * v13, 0.0)
-    return xp.where(v1, v15, ramp_force_maxwell(xp, xp.where(v1, 0.5 * t_m, t), v, A, E, tau))
+    v5 = lag_maxwell(xp, v2, t_m, t_h, v_2 / v, E, tau)
+    v6 = earlier(xp, v2, t_m, v5)
+    v14 = kept_maxwell(xp, v2, v6, xp.maximum(v2 - t_m, 0.0) + v5, 1.1666666666666667, E, tau)
+    v16 = xp.where((v2 > t_m) & (v6 > 0.0), normal_force_from_depth(xp, v * v6, A, 1.0) * v14, 0.0)
+    return xp.where(v1, v16, ramp_force_maxwell(xp, xp.where(v1, 0.5 * t_m, t), v, A, E, tau))
 
 
 def retract_radius_maxwell(xp, t, v, v_2, t_m, t_h, A, E, tau):
@@ -80,12 +78,10 @@ def contact_time_kelvin_voigt(xp, v, v_2, t_m, t_h, E, eta):
 def retract_force_kelvin_voigt(xp, t, v, v_2, t_m, t_h, A, E, eta):
     v1 = t > t_m
     v2 = xp.where(v1, t, 2.0 * t_m)
-    v5 = earlier(xp, v2, t_m, lag_kelvin_voigt(xp, v2, t_m, t_h, v_2 / v, E, eta))
-    v6 = v5 > 0.0
-    v7 = xp.where(v6, v5, 1.0)
-    v13 = xp.where(v6, normal_force_from_depth(xp, v * v7, A, 1.0) * (E + 0.0 * v7), 0.0)
-    v16 = xp.where(v1, v13, ramp_force_kelvin_voigt(xp, xp.where(v1, 0.5 * t_m, t), v, A, E, eta))
-    return v16
+    v6 = earlier(xp, v2, t_m, lag_kelvin_voigt(xp, v2, t_m, t_h, v_2 / v, E, eta))
+    v13 = normal_force_from_depth(xp, v * v6, A, 1.0) * (E + 0.0 * v6)
+    v16 = ramp_force_kelvin_voigt(xp, xp.where(v1, 0.5 * t_m, t), v, A, E, eta)
+    return xp.where(v1, xp.where((v2 > t_m) & (v6 > 0.0), v13, 0.0), v16)
 
 
 def retract_radius_kelvin_voigt(xp, t, v, v_2, t_m, t_h, A, E, eta):
@@ -120,15 +116,13 @@ def contact_time_standard_solid(xp, v, v_2, t_m, t_h, E_inf, E_1, tau):
 def retract_force_standard_solid(xp, t, v, v_2, t_m, t_h, A, E_inf, E_1, tau):
     v1 = t > t_m
     v2 = xp.where(v1, t, 2.0 * t_m)
-    v4 = lag_standard_solid(xp, v2, t_m, t_h, v_2 / v, E_inf, E_1, tau)
-    v5 = earlier(xp, v2, t_m, v4)
-    v6 = v5 > 0.0
-    v7 = xp.where(v6, v5, 1.0)
-    v12 = xp.maximum(v2 - t_m, 0.0) + v4
-    v13 = kept_standard_solid(xp, v2, v7, v12, 1.1666666666666667, E_inf, E_1, tau)
-    v17 = ramp_force_standard_solid(xp, xp.where(v1, 0.5 * t_m, t), v, A, E_inf, E_1, tau)
-    v18 = xp.where(v1, xp.where(v6, normal_force_from_depth(xp, v * v7, A, 1.0) * v13, 0.0), v17)
-    return v18
+    v5 = lag_standard_solid(xp, v2, t_m, t_h, v_2 / v, E_inf, E_1, tau)
+    v6 = earlier(xp, v2, t_m, v5)
+    v13 = xp.maximum(v2 - t_m, 0.0) + v5
+    v14 = kept_standard_solid(xp, v2, v6, v13, 1.1666666666666667, E_inf, E_1, tau)
+    v18 = ramp_force_standard_solid(xp, xp.where(v1, 0.5 * t_m, t), v, A, E_inf, E_1, tau)
+    v16 = xp.where((v2 > t_m) & (v6 > 0.0), normal_force_from_depth(xp, v * v6, A, 1.0) * v14, 0.0)
+    return xp.where(v1, v16, v18)
 
 
 def retract_radius_standard_solid(xp, t, v, v_2, t_m, t_h, A, E_inf, E_1, tau):
@@ -162,15 +156,13 @@ def contact_time_power_creep(xp, v, v_2, t_m, t_h, E, alpha, t_0):
 def retract_force_power_creep(xp, t, v, v_2, t_m, t_h, A, E, alpha, t_0):
     v1 = t > t_m
     v2 = xp.where(v1, t, 2.0 * t_m)
-    v4 = lag_power_creep(xp, v2, t_m, t_h, v_2 / v, E, alpha, t_0)
-    v5 = earlier(xp, v2, t_m, v4)
-    v6 = v5 > 0.0
-    v7 = xp.where(v6, v5, 1.0)
-    v12 = xp.maximum(v2 - t_m, 0.0) + v4
-    v13 = kept_power_creep(xp, v2, v7, v12, 1.1666666666666667, E, alpha, t_0)
-    v17 = ramp_force_power_creep(xp, xp.where(v1, 0.5 * t_m, t), v, A, E, alpha, t_0)
-    v18 = xp.where(v1, xp.where(v6, normal_force_from_depth(xp, v * v7, A, 1.0) * v13, 0.0), v17)
-    return v18
+    v5 = lag_power_creep(xp, v2, t_m, t_h, v_2 / v, E, alpha, t_0)
+    v6 = earlier(xp, v2, t_m, v5)
+    v13 = xp.maximum(v2 - t_m, 0.0) + v5
+    v14 = kept_power_creep(xp, v2, v6, v13, 1.1666666666666667, E, alpha, t_0)
+    v16 = xp.where((v2 > t_m) & (v6 > 0.0), normal_force_from_depth(xp, v * v6, A, 1.0) * v14, 0.0)
+    v19 = xp.where(v1, v16, ramp_force_power_creep(xp, xp.where(v1, 0.5 * t_m, t), v, A, E, alpha, t_0))
+    return v19
 
 
 def retract_radius_power_creep(xp, t, v, v_2, t_m, t_h, A, E, alpha, t_0):

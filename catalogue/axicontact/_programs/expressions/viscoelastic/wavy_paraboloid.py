@@ -60,11 +60,10 @@ def contact_time_kelvin_voigt(xp, v, v_2, t_m, t_h, E, eta):
 def retract_force_kelvin_voigt(xp, t, v, v_2, t_m, t_h, R, h, wavelength, E, eta):
     v1 = t > t_m
     v2 = xp.where(v1, t, 2.0 * t_m)
-    v5 = earlier(xp, v2, t_m, lag_kelvin_voigt(xp, v2, t_m, t_h, v_2 / v, E, eta))
-    v6 = v5 > 0.0
-    v10 = normal_force_from_depth(xp, v * xp.where(v6, v5, 1.0), R, h, wavelength, 1.0) * E
-    v13 = ramp_force_kelvin_voigt(xp, xp.where(v1, 0.5 * t_m, t), v, R, h, wavelength, E, eta)
-    return xp.where(v1, xp.where(v6, v10, 0.0), v13)
+    v6 = earlier(xp, v2, t_m, lag_kelvin_voigt(xp, v2, t_m, t_h, v_2 / v, E, eta))
+    v11 = normal_force_from_depth(xp, v * v6, R, h, wavelength, 1.0) * E
+    v14 = ramp_force_kelvin_voigt(xp, xp.where(v1, 0.5 * t_m, t), v, R, h, wavelength, E, eta)
+    return xp.where(v1, xp.where((v2 > t_m) & (v6 > 0.0), v11, 0.0), v14)
 
 
 def retract_radius_kelvin_voigt(xp, t, v, v_2, t_m, t_h, R, h, wavelength, E, eta):
