@@ -75,9 +75,7 @@ SEARCHED = "Infinite where the pressure is, on the surface. The point is known t
 SLIDES = (
     f"The traction mu p does not change the pressure. {SHEARED} The whole stress is the `add` of this and of `stress`."
 )
-STICKS = (
-    f"The traction is mu times the difference of the pressures of radii a and c. {SHEARED} Within c it is finite."
-)
+STICKS = f"The traction is mu times the difference of the pressures of radii a and c. {SHEARED} Within c it is finite."
 
 
 @dataclass(frozen=True)
