@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import inspect
 from importlib import import_module
+from math import gamma, pi, sqrt
 from typing import Any
 
 import mpmath as mp
@@ -27,7 +28,7 @@ from axicontact._runtime.subsurface.punches import (
     punch,
     superposed,
 )
-from axicontact._runtime.subsurface.stresses import stress_below
+from axicontact._runtime.subsurface.stresses import frictional_stress, stress_below
 from axicontact.normal import cone, paraboloid, rounded_punch
 from axicontact.subsurface import SlidingStress, Stress, add, hydrostatic, principal, tresca, von_mises
 
@@ -180,6 +181,43 @@ def test_a_stick_zone_takes_the_friction_of_its_own_contact_away(name: str) -> N
     inner = 0.95 * a
     whole, stuck = (np.array(fields.sliding_stress(0.5, 0.3, 0.4, x, **given)) for x in (a, inner))
     assert fields.partial_slip_stress(0.5, 0.3, 0.4, a, inner, **given) == pytest.approx(whole - stuck, rel=1e-13)
+    with pytest.raises(ValueError, match="c <= a is violated; .*exchange a and c"):
+        fields.partial_slip_stress(0.5, 0.3, 0.4, a, 1.1 * a, **given)
+
+
+@pytest.mark.parametrize("depth", [0.0, 1e-300])
+@pytest.mark.parametrize("name", [name for name in PROFILES if name not in FIXED])
+def test_the_traction_of_a_stick_zone_is_finite_over_the_tip_and_the_break(name: str, depth: float) -> None:
+    fields, _, geometry, a, _ = contact(name)
+    tangential = import_module(f"axicontact.tangential.{name}")
+    c, b = 0.95 * a, 0.4 if name == "ellipsoid" else geometry.get("b", 0.4)
+    given = {"E_star": E_STAR, "mu": MU, **geometry}
+    # next to the tip and the break pressures of both radii still have their digits
+    r, beside = (np.array([0.0, b, 0.7 * a, 0.99 * a]) + shift for shift in (0.0, np.array([1e-6, 1e-6, 0.0, 0.0])))
+    found = fields.partial_slip_stress(r, 0.3, depth, a, c, nu=NU, **given)
+    traction = tangential.traction(beside, a, c, **given)
+    assert found.rz == pytest.approx(-traction * np.cos(0.3), rel=1e-5)
+    assert found.tz == pytest.approx(traction * np.sin(0.3), rel=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("name", "rate"),
+    [
+        ("cone", lambda t, theta: np.pi / 2 * np.tan(theta)),
+        ("power_law", lambda t, A, n: sqrt(pi) * A * n * t ** (n - 1) * gamma(n / 2 + 1) / gamma(n / 2 + 0.5)),
+        ("sphere", lambda t, R: np.arctanh(t / R) + t * R / (R * R - t * t)),
+        ("truncated_cone", lambda t, theta, b: np.tan(theta) * (np.arccos(b / t) + b / np.sqrt(t * t - b * b))),
+    ],
+)  # fmt: skip
+def test_a_ring_of_slip_that_is_narrow_keeps_its_digits(name: str, rate: Any) -> None:
+    """It is that of one flat punch."""
+    fields, _, geometry, a, _ = contact(name)
+    c, middle = a * (1 - 1e-8), a * (1 - 5e-9)
+    r, z = a * np.array([[0.1, 0.5, 1.0, 1.0, 1.4, 6.0], [0.7, 1e-3, 0.02, 0.2, 0.01, 3.0]])
+    found = fields.partial_slip_stress(r, 0.3, z, a, c, E_star=E_STAR, nu=NU, mu=MU, **geometry)
+    one = np.array(FRICTION.of(punch(r, z, np.full(6, middle), (a - r) - (a - c) / 2)))
+    wanted = np.array(frictional_stress(one, 0.3, NU, MU * E_STAR / np.pi)) * rate(middle, **geometry) * (a - c)
+    assert np.max(np.abs(np.array(found) - wanted) / np.abs(wanted).max(axis=0)) < 1e-11
 
 
 def of_stresses(S: list[Any], D: list[Any], r: Any, z: Any) -> list[Any]:

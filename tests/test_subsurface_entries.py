@@ -149,9 +149,7 @@ def test_emitted_fields_keep_their_digits_everywhere(name: str) -> None:
     found = worst(name)
     assert set(found) == {asked for asked in RESULTS if hasattr(import_module(f"axicontact.subsurface.{name}"), asked)}
     for function, row in found.items():
-        # two contacts that are almost the same are taken from each other
-        close = NORM if function == "partial_slip_stress" else CLOSE
-        for domain, bound in (("bench", close), ("extreme", NORM)):
+        for domain, bound in (("bench", CLOSE), ("extreme", NORM)):
             errors = row[domain]
             if errors["points"]:
                 assert errors["lost"] == 0, (function, domain)

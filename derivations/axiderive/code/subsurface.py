@@ -19,6 +19,7 @@ from ..entry import Entry, Quantity
 from ..letters import name_of
 from ..notation import C, a, coefficients, t
 from ..physics import subsurface as below
+from ..physics import tangential
 from ..physics.complete import fixed_face
 from ..physics.medium import HOMOGENEOUS
 from ..physics.subsurface import PHYSICS
@@ -32,7 +33,7 @@ from .function import Function, from_import
 from .module import PLACE, Module
 from .private import PrivateFunctions
 from .text import python, written
-from .writer import required
+from .writer import not_above, required
 
 SYSTEM = System(PHYSICS, HOMOGENEOUS)
 SHARED = (
@@ -74,7 +75,7 @@ SEARCHED = "Infinite where the pressure is, on the surface. The point is known t
 SLIDES = (
     f"The traction mu p does not change the pressure. {SHEARED} The whole stress is the `add` of this and of `stress`."
 )
-STICKS = f"The traction is mu times the difference of the pressures of radii a and c. {SHEARED}"
+STICKS = f"The traction is mu times the difference of the pressures of radii a and c. {SHEARED} Within c it is finite."
 
 
 @dataclass(frozen=True)
@@ -178,7 +179,8 @@ class _Source:
         rest = ", ".join([*passed, *(["**held(d)"] if free else [])])
         call = asked.call.replace("{0}, von_mises", "{0}").replace("{0}, largest_shear", "{0}")
         symbols = [*self.profile.parameters, *asked.material]
-        lines = [*self.checks(symbols), f"return {call.format(first, rest)}".replace(", )", ")")]
+        within = [line for own in tangential.PHYSICS.ordered if held for line in not_above(*own)]
+        lines = [*self.checks(symbols), *within, f"return {call.format(first, rest)}".replace(", )", ")")]
         keywords = [name_of(symbol) for symbol in symbols]
         doc = self.document(asked, held, bool(free))
         return Function(asked.name, [*asked.fields, self.given, *held], [*keywords, *free], lines, doc, asked.returns)

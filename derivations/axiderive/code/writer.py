@@ -42,6 +42,12 @@ def ordered(condition: str, relation: str, reason: str, names: Iterable[str]) ->
     return ["require_order(", f"    {condition},", f'    "{relation}",', *literal(reason), *given, ")"]
 
 
+def not_above(low: str, high: str, reason: str) -> list[str]:
+    """The check that one length is not above another."""
+    condition = f'np.all(~(numbers("{low}", {low}) > numbers("{high}", {high})))'
+    return ordered(condition, f"{low} <= {high}", reason, (low, high))
+
+
 def check(profile: Profile) -> Function:
     """The function `_check`, which checks the parameters and the rules between them."""
     names = [name_of(symbol) for symbol in profile.parameters]

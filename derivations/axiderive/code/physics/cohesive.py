@@ -15,7 +15,7 @@ from ...physics.cohesive import PHYSICS, cohesive
 from .. import docstring
 from ..function import Function
 from ..text import python
-from ..writer import Writer, ordered
+from ..writer import Writer, not_above
 from .adhesive import exponent
 
 MATERIAL = ("E_star", "dgamma", "sigma_0")
@@ -223,7 +223,7 @@ def interface(writer: Writer) -> None:
     for entry in writer.entries.values():
         checks = writer.checks(entry.parameters)
         if cohesive in entry.arguments:
-            checks += ordered('np.all(~(numbers("a", a) > numbers("c", c)))', "a <= c", ORDER, ("a", ZONE))
+            checks += not_above("a", ZONE, ORDER)
         writer.add(entry, notes, checks)
     _without_contact(writer)
     _pull_off(writer)

@@ -12,7 +12,7 @@ from ...entry import Entry
 from ...letters import name_of
 from .. import docstring
 from ..function import Function
-from ..writer import Writer, ordered
+from ..writer import Writer, not_above
 
 
 def interface(writer: Writer) -> None:
@@ -28,7 +28,7 @@ def interface(writer: Writer) -> None:
         checks = writer.checks(first.parameters, reach=True)
         for low, high, reason in physics.ordered:
             if low in map(name_of, first.arguments):
-                checks += _ordered(low, high, reason)
+                checks += not_above(low, high, reason)
         if first.quantity.member:
             _several(writer, [first, *others], notes, checks)
         else:
@@ -46,12 +46,6 @@ def rules(writer: Writer) -> None:
 
 def _private(entry: Entry) -> str:
     return f"_{entry.quantity.function}" + (f"_{entry.quantity.member}" if entry.quantity.member else "")
-
-
-def _ordered(low: str, high: str, reason: str) -> list[str]:
-    """The check that one length is not above another."""
-    condition = f'np.all(~(numbers("{low}", {low}) > numbers("{high}", {high})))'
-    return ordered(condition, f"{low} <= {high}", reason, (low, high))
 
 
 def _several(writer: Writer, entries: list[Entry], notes: str, checks: list[str]) -> None:
