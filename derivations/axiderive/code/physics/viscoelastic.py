@@ -101,7 +101,7 @@ def _force_back(writer: Writer, law: Law, material: list[str]) -> list[str]:
         lines, kept = list[str](), python(law.relaxation)
     else:
         lines, degree = _degree(power)
-        kept = f"kept_{law.name}(t, t_1, {since}, {degree}, {passed})"
+        lines, kept = [*lines, f"kept = kept_{law.name}(t, t_1, {since}, {degree}, {passed})"], "kept"
     ramp = f"_ramp_force_{law.name}(t, {own})"
     back = f"back = np.where((t > t_m) & (t_1 > 0.0), {force} * {kept}, 0.0)"
     return [*lines, back, f"return np.where(t > t_m, back, {ramp})"]
