@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._runtime.interface import Array, Result, require
+from .._runtime.interface import Array, Result, numbers, require, require_order
 from .._runtime.subsurface.punches import TANH, Piece
 from .._runtime.subsurface.stresses import (
     Displacement,
@@ -384,15 +384,22 @@ def partial_slip_stress(
     Notes
     -----
     Valid for a < b; small slopes. The traction is mu times the difference of the pressures of radii a and c.
-    At the edge of a face, at a tip and at a kink it is infinite, and with it rz and tz. S_m, D_m and W are
-    those of flat punches of all radii t up to the contact, times g'(t), summed over t. Their formulas are
-    ellipsoid.sub.S0 to S3, D0 to D3 and ellipsoid.sub.W.
+    At the edge of a face, at a tip and at a kink it is infinite, and with it rz and tz. Within c it is
+    finite. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t), summed
+    over t. Their formulas are ellipsoid.sub.S0 to S3, D0 to D3 and ellipsoid.sub.W.
 
     References
     ----------
     Sneddon 1965.
     """
     require(h=h, b=b, E_star=E_star, nu=nu, mu=mu)
+    require_order(
+        np.all(~(numbers("c", c) > numbers("a", a))),
+        "c <= a",
+        "the stick zone lies inside the contact; exchange a and c, or use c = a for no tangential load",
+        c=c,
+        a=a,
+    )
     return sliding_below(_shape, r, phi, z, a, E_star, nu, mu, c, h=h, b=b)
 
 

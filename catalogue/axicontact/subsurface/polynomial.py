@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._runtime.functions import depth_over_height
-from .._runtime.interface import Array, Result, require, require_coefficients
+from .._runtime.interface import Array, Result, numbers, require, require_coefficients, require_order
 from .._runtime.subsurface.punches import PLAIN, Piece, polynomial
 from .._runtime.subsurface.stresses import (
     Displacement,
@@ -369,9 +369,9 @@ def partial_slip_stress(
     Notes
     -----
     Valid for small slopes. The traction is mu times the difference of the pressures of radii a and c. At the
-    edge of a face, at a tip and at a kink it is infinite, and with it rz and tz. S_m, D_m and W are those of
-    flat punches of all radii t up to the contact, times g'(t), summed over t. Their formulas are
-    polynomial.sub.S0 to S3, D0 to D3 and polynomial.sub.W.
+    edge of a face, at a tip and at a kink it is infinite, and with it rz and tz. Within c it is finite. S_m,
+    D_m and W are those of flat punches of all radii t up to the contact, times g'(t), summed over t. Their
+    formulas are polynomial.sub.S0 to S3, D0 to D3 and polynomial.sub.W.
 
     References
     ----------
@@ -379,6 +379,13 @@ def partial_slip_stress(
     """
     A = require_coefficients(A)
     require(E_star=E_star, nu=nu, mu=mu)
+    require_order(
+        np.all(~(numbers("c", c) > numbers("a", a))),
+        "c <= a",
+        "the stick zone lies inside the contact; exchange a and c, or use c = a for no tangential load",
+        c=c,
+        a=a,
+    )
     return sliding_below(partial(_shape, A=A), r, phi, z, a, E_star, nu, mu, c)
 
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._runtime.interface import Array, Result, require
+from .._runtime.interface import Array, Result, numbers, require, require_order
 from .._runtime.subsurface.punches import COSH, PLAIN, Piece, polynomial
 from .._runtime.subsurface.stresses import (
     Displacement,
@@ -391,15 +391,22 @@ def partial_slip_stress(
     Notes
     -----
     Valid for tan(theta) << 1. The traction is mu times the difference of the pressures of radii a and c. At
-    the edge of a face, at a tip and at a kink it is infinite, and with it rz and tz. S_m, D_m and W are those
-    of flat punches of all radii t up to the contact, times g'(t), summed over t. Their formulas are
-    rounded_cone.sub.S0 to S3, D0 to D3 and rounded_cone.sub.W.
+    the edge of a face, at a tip and at a kink it is infinite, and with it rz and tz. Within c it is finite.
+    S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t), summed over t.
+    Their formulas are rounded_cone.sub.S0 to S3, D0 to D3 and rounded_cone.sub.W.
 
     References
     ----------
     Ciavarella 1999; Maugis & Barquins 1983.
     """
     require(theta=theta, b=b, E_star=E_star, nu=nu, mu=mu)
+    require_order(
+        np.all(~(numbers("c", c) > numbers("a", a))),
+        "c <= a",
+        "the stick zone lies inside the contact; exchange a and c, or use c = a for no tangential load",
+        c=c,
+        a=a,
+    )
     return sliding_below(_shape, r, phi, z, a, E_star, nu, mu, c, theta=theta, b=b)
 
 

@@ -1287,11 +1287,8 @@ def _retract_force_maxwell(
 ) -> Array:
     lag = lag_maxwell(t, t_m, t_h, v_2 / v, E, tau)
     t_1 = earlier(t, t_m, lag)
-    back = np.where(
-        (t > t_m) & (t_1 > 0.0),
-        normal._force(v * t_1, a, 1.0) * kept_maxwell(t, t_1, passed(t, t_m, lag), 1.0, E, tau),
-        0.0,
-    )
+    kept = kept_maxwell(t, t_1, passed(t, t_m, lag), 1.0, E, tau)
+    back = np.where((t > t_m) & (t_1 > 0.0), normal._force(v * t_1, a, 1.0) * kept, 0.0)
     return np.where(t > t_m, back, _ramp_force_maxwell(t, v, a, E, tau))
 
 
@@ -1318,11 +1315,8 @@ def _retract_force_kelvin_voigt(
 ) -> Array:
     lag = lag_kelvin_voigt(t, t_m, t_h, v_2 / v, E, eta)
     t_1 = earlier(t, t_m, lag)
-    back = np.where(
-        (t > t_m) & (t_1 > 0.0),
-        normal._force(v * t_1, a, 1.0) * kept_kelvin_voigt(t, t_1, passed(t, t_m, lag), 1.0, E, eta),
-        0.0,
-    )
+    kept = kept_kelvin_voigt(t, t_1, passed(t, t_m, lag), 1.0, E, eta)
+    back = np.where((t > t_m) & (t_1 > 0.0), normal._force(v * t_1, a, 1.0) * kept, 0.0)
     return np.where(t > t_m, back, _ramp_force_kelvin_voigt(t, v, a, E, eta))
 
 
@@ -1350,11 +1344,8 @@ def _retract_force_standard_solid(
 ) -> Array:
     lag = lag_standard_solid(t, t_m, t_h, v_2 / v, E_inf, E_1, tau)
     t_1 = earlier(t, t_m, lag)
-    back = np.where(
-        (t > t_m) & (t_1 > 0.0),
-        normal._force(v * t_1, a, 1.0) * kept_standard_solid(t, t_1, passed(t, t_m, lag), 1.0, E_inf, E_1, tau),
-        0.0,
-    )
+    kept = kept_standard_solid(t, t_1, passed(t, t_m, lag), 1.0, E_inf, E_1, tau)
+    back = np.where((t > t_m) & (t_1 > 0.0), normal._force(v * t_1, a, 1.0) * kept, 0.0)
     return np.where(t > t_m, back, _ramp_force_standard_solid(t, v, a, E_inf, E_1, tau))
 
 
@@ -1384,11 +1375,8 @@ def _retract_force_power_creep(
 ) -> Array:
     lag = lag_power_creep(t, t_m, t_h, v_2 / v, E, alpha, t_0)
     t_1 = earlier(t, t_m, lag)
-    back = np.where(
-        (t > t_m) & (t_1 > 0.0),
-        normal._force(v * t_1, a, 1.0) * kept_power_creep(t, t_1, passed(t, t_m, lag), 1.0, E, alpha, t_0),
-        0.0,
-    )
+    kept = kept_power_creep(t, t_1, passed(t, t_m, lag), 1.0, E, alpha, t_0)
+    back = np.where((t > t_m) & (t_1 > 0.0), normal._force(v * t_1, a, 1.0) * kept, 0.0)
     return np.where(t > t_m, back, _ramp_force_power_creep(t, v, a, E, alpha, t_0))
 
 

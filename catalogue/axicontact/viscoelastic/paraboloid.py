@@ -1798,11 +1798,8 @@ def _retract_force_maxwell(
 ) -> Array:
     lag = lag_maxwell(t, t_m, t_h, v_2 / v, E, tau)
     t_1 = earlier(t, t_m, lag)
-    back = np.where(
-        (t > t_m) & (t_1 > 0.0),
-        normal._force_from_depth(v * t_1, R, 1.0) * kept_maxwell(t, t_1, passed(t, t_m, lag), 1.5, E, tau),
-        0.0,
-    )
+    kept = kept_maxwell(t, t_1, passed(t, t_m, lag), 1.5, E, tau)
+    back = np.where((t > t_m) & (t_1 > 0.0), normal._force_from_depth(v * t_1, R, 1.0) * kept, 0.0)
     return np.where(t > t_m, back, _ramp_force_maxwell(t, v, R, E, tau))
 
 
@@ -1839,11 +1836,8 @@ def _retract_force_kelvin_voigt(
 ) -> Array:
     lag = lag_kelvin_voigt(t, t_m, t_h, v_2 / v, E, eta)
     t_1 = earlier(t, t_m, lag)
-    back = np.where(
-        (t > t_m) & (t_1 > 0.0),
-        normal._force_from_depth(v * t_1, R, 1.0) * kept_kelvin_voigt(t, t_1, passed(t, t_m, lag), 1.5, E, eta),
-        0.0,
-    )
+    kept = kept_kelvin_voigt(t, t_1, passed(t, t_m, lag), 1.5, E, eta)
+    back = np.where((t > t_m) & (t_1 > 0.0), normal._force_from_depth(v * t_1, R, 1.0) * kept, 0.0)
     return np.where(t > t_m, back, _ramp_force_kelvin_voigt(t, v, R, E, eta))
 
 
@@ -1882,11 +1876,8 @@ def _retract_force_standard_solid(
 ) -> Array:
     lag = lag_standard_solid(t, t_m, t_h, v_2 / v, E_inf, E_1, tau)
     t_1 = earlier(t, t_m, lag)
-    back = np.where(
-        (t > t_m) & (t_1 > 0.0),
-        normal._force_from_depth(v * t_1, R, 1.0) * kept_standard_solid(t, t_1, passed(t, t_m, lag), 1.5, E_inf, E_1, tau),
-        0.0,
-    )
+    kept = kept_standard_solid(t, t_1, passed(t, t_m, lag), 1.5, E_inf, E_1, tau)
+    back = np.where((t > t_m) & (t_1 > 0.0), normal._force_from_depth(v * t_1, R, 1.0) * kept, 0.0)
     return np.where(t > t_m, back, _ramp_force_standard_solid(t, v, R, E_inf, E_1, tau))
 
 
@@ -1927,11 +1918,8 @@ def _retract_force_power_creep(
 ) -> Array:
     lag = lag_power_creep(t, t_m, t_h, v_2 / v, E, alpha, t_0)
     t_1 = earlier(t, t_m, lag)
-    back = np.where(
-        (t > t_m) & (t_1 > 0.0),
-        normal._force_from_depth(v * t_1, R, 1.0) * kept_power_creep(t, t_1, passed(t, t_m, lag), 1.5, E, alpha, t_0),
-        0.0,
-    )
+    kept = kept_power_creep(t, t_1, passed(t, t_m, lag), 1.5, E, alpha, t_0)
+    back = np.where((t > t_m) & (t_1 > 0.0), normal._force_from_depth(v * t_1, R, 1.0) * kept, 0.0)
     return np.where(t > t_m, back, _ramp_force_power_creep(t, v, R, E, alpha, t_0))
 
 

@@ -1884,11 +1884,8 @@ def _retract_force_maxwell(
     lag = lag_maxwell(t, t_m, t_h, v_2 / v, E, tau)
     t_1 = earlier(t, t_m, lag)
     m = (n + 1) / n
-    back = np.where(
-        (t > t_m) & (t_1 > 0.0),
-        normal._force_from_depth(v * t_1, A, n, 1.0) * kept_maxwell(t, t_1, passed(t, t_m, lag), m, E, tau),
-        0.0,
-    )
+    kept = kept_maxwell(t, t_1, passed(t, t_m, lag), m, E, tau)
+    back = np.where((t > t_m) & (t_1 > 0.0), normal._force_from_depth(v * t_1, A, n, 1.0) * kept, 0.0)
     return np.where(t > t_m, back, _ramp_force_maxwell(t, v, A, n, E, tau))
 
 
@@ -1927,11 +1924,8 @@ def _retract_force_kelvin_voigt(
     lag = lag_kelvin_voigt(t, t_m, t_h, v_2 / v, E, eta)
     t_1 = earlier(t, t_m, lag)
     m = (n + 1) / n
-    back = np.where(
-        (t > t_m) & (t_1 > 0.0),
-        normal._force_from_depth(v * t_1, A, n, 1.0) * kept_kelvin_voigt(t, t_1, passed(t, t_m, lag), m, E, eta),
-        0.0,
-    )
+    kept = kept_kelvin_voigt(t, t_1, passed(t, t_m, lag), m, E, eta)
+    back = np.where((t > t_m) & (t_1 > 0.0), normal._force_from_depth(v * t_1, A, n, 1.0) * kept, 0.0)
     return np.where(t > t_m, back, _ramp_force_kelvin_voigt(t, v, A, n, E, eta))
 
 
@@ -1974,11 +1968,8 @@ def _retract_force_standard_solid(
     lag = lag_standard_solid(t, t_m, t_h, v_2 / v, E_inf, E_1, tau)
     t_1 = earlier(t, t_m, lag)
     m = (n + 1) / n
-    back = np.where(
-        (t > t_m) & (t_1 > 0.0),
-        normal._force_from_depth(v * t_1, A, n, 1.0) * kept_standard_solid(t, t_1, passed(t, t_m, lag), m, E_inf, E_1, tau),
-        0.0,
-    )
+    kept = kept_standard_solid(t, t_1, passed(t, t_m, lag), m, E_inf, E_1, tau)
+    back = np.where((t > t_m) & (t_1 > 0.0), normal._force_from_depth(v * t_1, A, n, 1.0) * kept, 0.0)
     return np.where(t > t_m, back, _ramp_force_standard_solid(t, v, A, n, E_inf, E_1, tau))
 
 
@@ -2021,11 +2012,8 @@ def _retract_force_power_creep(
     lag = lag_power_creep(t, t_m, t_h, v_2 / v, E, alpha, t_0)
     t_1 = earlier(t, t_m, lag)
     m = (n + 1) / n
-    back = np.where(
-        (t > t_m) & (t_1 > 0.0),
-        normal._force_from_depth(v * t_1, A, n, 1.0) * kept_power_creep(t, t_1, passed(t, t_m, lag), m, E, alpha, t_0),
-        0.0,
-    )
+    kept = kept_power_creep(t, t_1, passed(t, t_m, lag), m, E, alpha, t_0)
+    back = np.where((t > t_m) & (t_1 > 0.0), normal._force_from_depth(v * t_1, A, n, 1.0) * kept, 0.0)
     return np.where(t > t_m, back, _ramp_force_power_creep(t, v, A, n, E, alpha, t_0))
 
 

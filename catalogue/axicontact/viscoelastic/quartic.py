@@ -1794,11 +1794,8 @@ def _retract_force_maxwell(
 ) -> Array:
     lag = lag_maxwell(t, t_m, t_h, v_2 / v, E, tau)
     t_1 = earlier(t, t_m, lag)
-    back = np.where(
-        (t > t_m) & (t_1 > 0.0),
-        normal._force_from_depth(v * t_1, A, 1.0) * kept_maxwell(t, t_1, passed(t, t_m, lag), 1.25, E, tau),
-        0.0,
-    )
+    kept = kept_maxwell(t, t_1, passed(t, t_m, lag), 1.25, E, tau)
+    back = np.where((t > t_m) & (t_1 > 0.0), normal._force_from_depth(v * t_1, A, 1.0) * kept, 0.0)
     return np.where(t > t_m, back, _ramp_force_maxwell(t, v, A, E, tau))
 
 
@@ -1835,11 +1832,8 @@ def _retract_force_kelvin_voigt(
 ) -> Array:
     lag = lag_kelvin_voigt(t, t_m, t_h, v_2 / v, E, eta)
     t_1 = earlier(t, t_m, lag)
-    back = np.where(
-        (t > t_m) & (t_1 > 0.0),
-        normal._force_from_depth(v * t_1, A, 1.0) * kept_kelvin_voigt(t, t_1, passed(t, t_m, lag), 1.25, E, eta),
-        0.0,
-    )
+    kept = kept_kelvin_voigt(t, t_1, passed(t, t_m, lag), 1.25, E, eta)
+    back = np.where((t > t_m) & (t_1 > 0.0), normal._force_from_depth(v * t_1, A, 1.0) * kept, 0.0)
     return np.where(t > t_m, back, _ramp_force_kelvin_voigt(t, v, A, E, eta))
 
 
@@ -1878,11 +1872,8 @@ def _retract_force_standard_solid(
 ) -> Array:
     lag = lag_standard_solid(t, t_m, t_h, v_2 / v, E_inf, E_1, tau)
     t_1 = earlier(t, t_m, lag)
-    back = np.where(
-        (t > t_m) & (t_1 > 0.0),
-        normal._force_from_depth(v * t_1, A, 1.0) * kept_standard_solid(t, t_1, passed(t, t_m, lag), 1.25, E_inf, E_1, tau),
-        0.0,
-    )
+    kept = kept_standard_solid(t, t_1, passed(t, t_m, lag), 1.25, E_inf, E_1, tau)
+    back = np.where((t > t_m) & (t_1 > 0.0), normal._force_from_depth(v * t_1, A, 1.0) * kept, 0.0)
     return np.where(t > t_m, back, _ramp_force_standard_solid(t, v, A, E_inf, E_1, tau))
 
 
@@ -1923,11 +1914,8 @@ def _retract_force_power_creep(
 ) -> Array:
     lag = lag_power_creep(t, t_m, t_h, v_2 / v, E, alpha, t_0)
     t_1 = earlier(t, t_m, lag)
-    back = np.where(
-        (t > t_m) & (t_1 > 0.0),
-        normal._force_from_depth(v * t_1, A, 1.0) * kept_power_creep(t, t_1, passed(t, t_m, lag), 1.25, E, alpha, t_0),
-        0.0,
-    )
+    kept = kept_power_creep(t, t_1, passed(t, t_m, lag), 1.25, E, alpha, t_0)
+    back = np.where((t > t_m) & (t_1 > 0.0), normal._force_from_depth(v * t_1, A, 1.0) * kept, 0.0)
     return np.where(t > t_m, back, _ramp_force_power_creep(t, v, A, E, alpha, t_0))
 
 

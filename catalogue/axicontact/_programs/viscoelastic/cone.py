@@ -480,7 +480,7 @@ def retract_force_kelvin_voigt(t, v, v_2, t_m, t_h, theta, E, eta):
     if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is t_h.__class__ is theta.__class__ is E.__class__ is eta.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (t_h > 1e-30) and (t_h < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
         try:
             v16 = t > t_m
-            v27 = 2.0 / (3.141592653589793 * tan(theta))
+            v32 = 2.0 / (3.141592653589793 * tan(theta))
             if v16:
                 if v16:
                     v17 = t_m - (v_2 / v * (t - t_h + eta / E) if t > t_h else 0.0)
@@ -488,8 +488,8 @@ def retract_force_kelvin_voigt(t, v, v_2, t_m, t_h, theta, E, eta):
                 else:
                     v19 = t
                 if v16 and v19 > 0.0:
-                    v22 = v * v19
-                    value = v27 * (v22 * v22) * (E + 0.0 * v19)
+                    v27 = v * v19
+                    value = v32 * (v27 * v27) * (E + 0.0 * v19)
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
                     return None
@@ -497,7 +497,7 @@ def retract_force_kelvin_voigt(t, v, v_2, t_m, t_h, theta, E, eta):
             if t == 0.0:
                 return 0.0
             v37 = v * t
-            return v27 * (v37 * v37) * (E + eta * 2.0 / t)
+            return v32 * (v37 * v37) * (E + eta * 2.0 / t)
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -506,14 +506,14 @@ def retract_force_kelvin_voigt(t, v, v_2, t_m, t_h, theta, E, eta):
 def prepare_retract_force_kelvin_voigt_t(theta, v, v_2, t_m, t_h, E, eta):
     v8 = v_2 / v
     v11 = eta / E
-    v23 = np.tan(theta)
-    v25 = (3.141592653589793) * v23
-    v27 = (2.0) / v25
+    v25 = np.tan(theta)
+    v27 = (3.141592653589793) * v25
+    v29 = (2.0) / v27
     v37 = eta * (2.0)
-    return (v, t_m, t_h, E, v8, v11, v27, v37)
+    return (v, t_m, t_h, E, v8, v11, v29, v37)
 
 
-def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, E, v8, v11, v27, v37, t0, t1, t2, m0, m1, f0):
+def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, E, v8, v11, v29, v37, t0, t1, t2, m0, m1, f0):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
@@ -539,12 +539,12 @@ def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, E, v8, v11, v27, v37
         np.bitwise_and(m0, m1, m1)
         some33 = np.count_nonzero(m1)
         if some33:
-            np.multiply(v, t0, out)
-            np.square(out, out)
-            np.multiply(v27, out, out)
-            np.multiply(C0, t0, t1)
-            np.add(E, t1, t1)
-            np.multiply(out, t1, out)
+            np.multiply(C0, t0, out)
+            np.add(E, out, out)
+            np.multiply(v, t0, t1)
+            np.square(t1, t1)
+            np.multiply(v29, t1, t1)
+            np.multiply(t1, out, out)
         if some33 != size:
             np.copyto(out, C0, where=~m1)
     if some43 != size:
@@ -557,7 +557,7 @@ def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, E, v8, v11, v27, v37
             other42 = t1 if some42 else other43
             np.multiply(v, t, other42)
             np.square(other42, other42)
-            np.multiply(v27, other42, other42)
+            np.multiply(v29, other42, other42)
             np.divide(v37, t, t2)
             np.add(E, t2, t2)
             np.multiply(other42, t2, other42)
@@ -602,12 +602,12 @@ def block_retract_force_kelvin_voigt_all(out, t, theta, v, v_2, t_m, t_h, E, eta
         np.bitwise_and(m0, m1, m1)
         some33 = np.count_nonzero(m1)
         if some33:
-            np.multiply(v, t1, out)
-            np.square(out, out)
-            np.multiply(t0, out, out)
-            np.multiply(C0, t1, t3)
-            np.add(E, t3, t3)
-            np.multiply(out, t3, out)
+            np.multiply(C0, t1, out)
+            np.add(E, out, out)
+            np.multiply(v, t1, t3)
+            np.square(t3, t3)
+            np.multiply(t0, t3, t3)
+            np.multiply(t3, out, out)
         if some33 != size:
             np.copyto(out, C0, where=~m1)
     if some43 != size:

@@ -531,12 +531,12 @@ def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, a, E, eta, v8, v11, 
         np.bitwise_and(m0, m1, m1)
         some29 = np.count_nonzero(m1)
         if some29:
-            np.multiply(v, t0, out)
-            np.multiply(C3, out, out)
-            np.multiply(out, a, out)
-            np.multiply(C0, t0, t1)
-            np.add(E, t1, t1)
-            np.multiply(out, t1, out)
+            np.multiply(C0, t0, out)
+            np.add(E, out, out)
+            np.multiply(v, t0, t1)
+            np.multiply(C3, t1, t1)
+            np.multiply(t1, a, t1)
+            np.multiply(t1, out, out)
         if some29 != size:
             np.copyto(out, C0, where=~m1)
     if some41 != size:
@@ -591,12 +591,12 @@ def block_retract_force_kelvin_voigt_all(out, t, a, v, v_2, t_m, t_h, E, eta, t0
         np.bitwise_and(m0, m1, m1)
         some29 = np.count_nonzero(m1)
         if some29:
-            np.multiply(v, t0, out)
-            np.multiply(C3, out, out)
-            np.multiply(out, a, out)
-            np.multiply(C0, t0, t2)
-            np.add(E, t2, t2)
-            np.multiply(out, t2, out)
+            np.multiply(C0, t0, out)
+            np.add(E, out, out)
+            np.multiply(v, t0, t2)
+            np.multiply(C3, t2, t2)
+            np.multiply(t2, a, t2)
+            np.multiply(t2, out, out)
         if some29 != size:
             np.copyto(out, C0, where=~m1)
     if some41 != size:

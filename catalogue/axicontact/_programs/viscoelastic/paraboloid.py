@@ -487,8 +487,8 @@ def retract_force_kelvin_voigt(t, v, v_2, t_m, t_h, R, E, eta):
                 else:
                     v19 = t
                 if v16 and v19 > 0.0:
-                    v22 = v * v19
-                    value = 1.3333333333333333 * v22 * sqrt(R * v22) * (E + 0.0 * v19)
+                    v27 = v * v19
+                    value = 1.3333333333333333 * v27 * sqrt(R * v27) * (E + 0.0 * v19)
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
                     return None
@@ -535,14 +535,14 @@ def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, R, E, v8, v11, v38, 
         np.bitwise_and(m0, m1, m1)
         some31 = np.count_nonzero(m1)
         if some31:
-            np.multiply(v, t0, out)
-            np.multiply(C3, out, t1)
-            np.multiply(R, out, out)
-            np.sqrt(out, out)
+            np.multiply(C0, t0, out)
+            np.add(E, out, out)
+            np.multiply(v, t0, t1)
+            np.multiply(C3, t1, t2)
+            np.multiply(R, t1, t1)
+            np.sqrt(t1, t1)
+            np.multiply(t2, t1, t1)
             np.multiply(t1, out, out)
-            np.multiply(C0, t0, t1)
-            np.add(E, t1, t1)
-            np.multiply(out, t1, out)
         if some31 != size:
             np.copyto(out, C0, where=~m1)
     if some44 != size:
@@ -599,14 +599,14 @@ def block_retract_force_kelvin_voigt_all(out, t, R, v, v_2, t_m, t_h, E, eta, t0
         np.bitwise_and(m0, m1, m1)
         some31 = np.count_nonzero(m1)
         if some31:
-            np.multiply(v, t0, out)
-            np.multiply(C3, out, t2)
-            np.multiply(R, out, out)
-            np.sqrt(out, out)
+            np.multiply(C0, t0, out)
+            np.add(E, out, out)
+            np.multiply(v, t0, t2)
+            np.multiply(C3, t2, t1)
+            np.multiply(R, t2, t2)
+            np.sqrt(t2, t2)
+            np.multiply(t1, t2, t2)
             np.multiply(t2, out, out)
-            np.multiply(C0, t0, t2)
-            np.add(E, t2, t2)
-            np.multiply(out, t2, out)
         if some31 != size:
             np.copyto(out, C0, where=~m1)
     if some44 != size:

@@ -655,15 +655,15 @@ def retract_force_kelvin_voigt(t, v, v_2, t_m, t_h, A, n, E, eta):
         try:
             v17 = t > t_m
             v22 = n + 1.0
-            v30 = n / 2.0 + 0.5
-            v32 = v30 + 1.75
-            v36 = (v30 + 0.5) * (v30 + 1.5)
-            v49 = 1.0 / (v32 * v32)
-            v90 = (v30 * (v30 + 1.0) / v36 if v30 < 1.0 else 1.0 - (v30 + 0.75) / v36) * sqrt(v32) * (1.0 + v49 * (((((((0.01524698625788054 * v49 + 0.5334320651111477) * v49 + 2.250488865813539) * v49 + 2.8612106440066865) * v49 + 1.3794681629043655) * v49 + 0.2596058532893223) * v49 + 0.015624999999999823) / ((((((3.278794792785737 * v49 + 49.328555418276075) * v49 + 167.28648538571198) * v49 + 195.37226190335065) * v49 + 90.69722535867314) * v49 + 16.763212110504565) * v49 + 1.0)))
-            v93 = 1.7724538509055159 * A * v90
-            v99 = 3.5449077018110318 * n * A / v22 * v90
-            v101 = n + 0.0
-            v102 = 1.0 / v101
+            v35 = n / 2.0 + 0.5
+            v37 = v35 + 1.75
+            v41 = (v35 + 0.5) * (v35 + 1.5)
+            v54 = 1.0 / (v37 * v37)
+            v95 = (v35 * (v35 + 1.0) / v41 if v35 < 1.0 else 1.0 - (v35 + 0.75) / v41) * sqrt(v37) * (1.0 + v54 * (((((((0.01524698625788054 * v54 + 0.5334320651111477) * v54 + 2.250488865813539) * v54 + 2.8612106440066865) * v54 + 1.3794681629043655) * v54 + 0.2596058532893223) * v54 + 0.015624999999999823) / ((((((3.278794792785737 * v54 + 49.328555418276075) * v54 + 167.28648538571198) * v54 + 195.37226190335065) * v54 + 90.69722535867314) * v54 + 16.763212110504565) * v54 + 1.0)))
+            v98 = 1.7724538509055159 * A * v95
+            v104 = 3.5449077018110318 * n * A / v22 * v95
+            v106 = n + 0.0
+            v107 = 1.0 / v106
             if v17:
                 if v17:
                     v18 = t_m - (v_2 / v * (t - t_h + eta / E) if t > t_h else 0.0)
@@ -671,18 +671,18 @@ def retract_force_kelvin_voigt(t, v, v_2, t_m, t_h, A, n, E, eta):
                 else:
                     v20 = t
                 if v17 and v20 > 0.0:
-                    v94 = v * v20 / v93
-                    v103 = pow(v94, v102)
-                    value = v99 * v94 * (v103 + v103 * ((v94 / (pow(v103, n) * pow(v103, 0.0)) - 1.0) / v101) if v94 > 0.0 and v94 < inf else v103) * (E + 0.0 * v20)
+                    v99 = v * v20 / v98
+                    v108 = pow(v99, v107)
+                    value = v104 * v99 * (v108 + v108 * ((v99 / (pow(v108, n) * pow(v108, 0.0)) - 1.0) / v106) if v99 > 0.0 and v99 < inf else v108) * (E + 0.0 * v20)
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
                     return None
                 return 0.0
             if t == 0.0:
                 return 0.0
-            v126 = v * t / v93
-            v128 = pow(v126, v102)
-            value = v99 * v126 * (v128 + v128 * ((v126 / (pow(v128, n) * pow(v128, 0.0)) - 1.0) / v101) if v126 > 0.0 and v126 < inf else v128) * (E + eta * (v22 / n) / t)
+            v126 = v * t / v98
+            v128 = pow(v126, v107)
+            value = v104 * v126 * (v128 + v128 * ((v126 / (pow(v128, n) * pow(v128, 0.0)) - 1.0) / v106) if v126 > 0.0 and v126 < inf else v128) * (E + eta * (v22 / n) / t)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             return None
@@ -696,65 +696,65 @@ def prepare_retract_force_kelvin_voigt_t(A, n, v, v_2, t_m, t_h, E, eta):
     v12 = eta / E
     v22 = n + (1.0)
     v23 = v22 / n
-    v28 = n / (2.0)
-    v30 = v28 + (0.5)
-    v32 = v30 + (1.75)
-    v33 = v30 + (0.5)
-    v35 = v30 + (1.5)
-    v36 = v33 * v35
-    v37 = np.less(v30, (1.0))
-    v38 = v30 + (1.0)
-    v39 = v30 * v38
-    v40 = v39 / v36
-    v42 = v30 + (0.75)
-    v43 = v42 / v36
-    v44 = (1.0) - v43
-    v45 = v40 if v37 else v44
-    v46 = np.sqrt(v32)
-    v47 = v45 * v46
-    v48 = v32 * v32
-    v49 = (1.0) / v48
-    v51 = (0.01524698625788054) * v49
-    v53 = v51 + (0.5334320651111477)
-    v54 = v53 * v49
-    v56 = v54 + (2.250488865813539)
-    v57 = v56 * v49
-    v59 = v57 + (2.8612106440066865)
-    v60 = v59 * v49
-    v62 = v60 + (1.3794681629043655)
-    v63 = v62 * v49
-    v65 = v63 + (0.2596058532893223)
-    v66 = v65 * v49
-    v68 = v66 + (0.015624999999999823)
-    v70 = (3.278794792785737) * v49
-    v72 = v70 + (49.328555418276075)
-    v73 = v72 * v49
-    v75 = v73 + (167.28648538571198)
-    v76 = v75 * v49
-    v78 = v76 + (195.37226190335065)
-    v79 = v78 * v49
-    v81 = v79 + (90.69722535867314)
-    v82 = v81 * v49
-    v84 = v82 + (16.763212110504565)
-    v85 = v84 * v49
-    v86 = v85 + (1.0)
-    v87 = v68 / v86
-    v88 = v49 * v87
-    v89 = (1.0) + v88
-    v90 = v47 * v89
-    v92 = (1.7724538509055159) * A
-    v93 = v92 * v90
-    v96 = (3.5449077018110318) * n
-    v97 = v96 * A
-    v98 = v97 / v22
-    v99 = v98 * v90
-    v101 = n + (0.0)
-    v102 = (1.0) / v101
+    v30 = n / (2.0)
+    v32 = v30 + (0.5)
+    v34 = v32 + (1.75)
+    v35 = v32 + (0.5)
+    v37 = v32 + (1.5)
+    v38 = v35 * v37
+    v39 = np.less(v32, (1.0))
+    v40 = v32 + (1.0)
+    v41 = v32 * v40
+    v42 = v41 / v38
+    v44 = v32 + (0.75)
+    v45 = v44 / v38
+    v46 = (1.0) - v45
+    v47 = v42 if v39 else v46
+    v48 = np.sqrt(v34)
+    v49 = v47 * v48
+    v50 = v34 * v34
+    v51 = (1.0) / v50
+    v53 = (0.01524698625788054) * v51
+    v55 = v53 + (0.5334320651111477)
+    v56 = v55 * v51
+    v58 = v56 + (2.250488865813539)
+    v59 = v58 * v51
+    v61 = v59 + (2.8612106440066865)
+    v62 = v61 * v51
+    v64 = v62 + (1.3794681629043655)
+    v65 = v64 * v51
+    v67 = v65 + (0.2596058532893223)
+    v68 = v67 * v51
+    v70 = v68 + (0.015624999999999823)
+    v72 = (3.278794792785737) * v51
+    v74 = v72 + (49.328555418276075)
+    v75 = v74 * v51
+    v77 = v75 + (167.28648538571198)
+    v78 = v77 * v51
+    v80 = v78 + (195.37226190335065)
+    v81 = v80 * v51
+    v83 = v81 + (90.69722535867314)
+    v84 = v83 * v51
+    v86 = v84 + (16.763212110504565)
+    v87 = v86 * v51
+    v88 = v87 + (1.0)
+    v89 = v70 / v88
+    v90 = v51 * v89
+    v91 = (1.0) + v90
+    v92 = v49 * v91
+    v94 = (1.7724538509055159) * A
+    v95 = v94 * v92
+    v98 = (3.5449077018110318) * n
+    v99 = v98 * A
+    v100 = v99 / v22
+    v101 = v100 * v92
+    v103 = n + (0.0)
+    v104 = (1.0) / v103
     v139 = eta * v23
-    return (v, t_m, t_h, n, E, v9, v12, v93, v99, v101, v102, v139)
+    return (v, t_m, t_h, n, E, v9, v12, v95, v101, v103, v104, v139)
 
 
-def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, n, E, v9, v12, v93, v99, v101, v102, v139, t0, t1, t2, t3, t4, t5, m0, m1, m2, m3, f0):
+def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, n, E, v9, v12, v95, v101, v103, v104, v139, t0, t1, t2, t3, t4, t5, m0, m1, m2, m3, f0):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
@@ -780,29 +780,29 @@ def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, n, E, v9, v12, v93, 
         np.bitwise_and(m0, m1, m1)
         some121 = np.count_nonzero(m1)
         if some121:
-            np.multiply(v, t0, out)
-            np.divide(out, v93, out)
-            np.multiply(v99, out, t1)
-            np.power(out, v102, t2)
-            np.greater(out, C0, m2)
-            np.less(out, C2, m3)
+            np.multiply(C0, t0, out)
+            np.add(E, out, out)
+            np.multiply(v, t0, t1)
+            np.divide(t1, v95, t1)
+            np.multiply(v101, t1, t2)
+            np.power(t1, v104, t3)
+            np.greater(t1, C0, m2)
+            np.less(t1, C2, m3)
             np.bitwise_and(m2, m3, m3)
-            some116 = np.count_nonzero(m3)
-            if some116:
-                np.power(t2, n, t3)
-                np.power(t2, C0, t4)
-                np.multiply(t3, t4, t4)
-                np.divide(out, t4, t4)
-                np.subtract(t4, C1, t4)
-                np.divide(t4, v101, t4)
-                np.multiply(t2, t4, t4)
-                np.add(t2, t4, t3)
-            if some116 != size:
-                np.copyto(t3, t2, where=~m3)
-            np.multiply(t1, t3, t3)
-            np.multiply(C0, t0, t1)
-            np.add(E, t1, t1)
-            np.multiply(t3, t1, out)
+            some118 = np.count_nonzero(m3)
+            if some118:
+                np.power(t3, n, t4)
+                np.power(t3, C0, t5)
+                np.multiply(t4, t5, t5)
+                np.divide(t1, t5, t5)
+                np.subtract(t5, C1, t5)
+                np.divide(t5, v103, t5)
+                np.multiply(t3, t5, t5)
+                np.add(t3, t5, t4)
+            if some118 != size:
+                np.copyto(t4, t3, where=~m3)
+            np.multiply(t2, t4, t4)
+            np.multiply(t4, out, out)
         if some121 != size:
             np.copyto(out, C0, where=~m1)
     if some145 != size:
@@ -812,30 +812,30 @@ def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, n, E, v9, v12, v93, 
         if some144:
             np.copyto(other145, C0)
         if some144 != size:
-            other144 = t1 if some144 else other145
+            other144 = t4 if some144 else other145
             np.multiply(v, t, other144)
-            np.divide(other144, v93, other144)
-            np.multiply(v99, other144, t3)
-            np.power(other144, v102, t2)
+            np.divide(other144, v95, other144)
+            np.multiply(v101, other144, t2)
+            np.power(other144, v104, t1)
             np.greater(other144, C0, m3)
             np.less(other144, C2, m2)
             np.bitwise_and(m3, m2, m2)
             some137 = np.count_nonzero(m2)
             if some137:
-                np.power(t2, n, t4)
-                np.power(t2, C0, t5)
-                np.multiply(t4, t5, t5)
+                np.power(t1, n, t3)
+                np.power(t1, C0, t5)
+                np.multiply(t3, t5, t5)
                 np.divide(other144, t5, t5)
                 np.subtract(t5, C1, t5)
-                np.divide(t5, v101, t5)
-                np.multiply(t2, t5, t5)
-                np.add(t2, t5, t4)
+                np.divide(t5, v103, t5)
+                np.multiply(t1, t5, t5)
+                np.add(t1, t5, t3)
             if some137 != size:
-                np.copyto(t4, t2, where=~m2)
-            np.multiply(t3, t4, t4)
-            np.divide(v139, t, t3)
-            np.add(E, t3, t3)
-            np.multiply(t4, t3, other144)
+                np.copyto(t3, t1, where=~m2)
+            np.multiply(t2, t3, t3)
+            np.divide(v139, t, t2)
+            np.add(E, t2, t2)
+            np.multiply(t3, t2, other144)
             if some144:
                 np.copyto(other145, other144, where=~m1)
         if some145:
@@ -860,18 +860,18 @@ def block_retract_force_kelvin_voigt_all(out, t, A, n, v, v_2, t_m, t_h, E, eta,
     np.add(t1, C5, t4)
     np.multiply(t3, t4, t4)
     np.less(t1, C1, m1)
-    some45 = np.count_nonzero(m1)
-    if some45:
+    some47 = np.count_nonzero(m1)
+    if some47:
         np.add(t1, C1, t3)
         np.multiply(t1, t3, t3)
         np.divide(t3, t4, t3)
-    if some45 != size:
-        other45 = t5 if some45 else t3
-        np.add(t1, C6, other45)
-        np.divide(other45, t4, other45)
-        np.subtract(C1, other45, other45)
-        if some45:
-            np.copyto(t3, other45, where=~m1)
+    if some47 != size:
+        other47 = t5 if some47 else t3
+        np.add(t1, C6, other47)
+        np.divide(other47, t4, other47)
+        np.subtract(C1, other47, other47)
+        if some47:
+            np.copyto(t3, other47, where=~m1)
     np.sqrt(t2, t4)
     np.multiply(t3, t4, t4)
     np.multiply(t2, t2, t2)
@@ -934,29 +934,29 @@ def block_retract_force_kelvin_voigt_all(out, t, A, n, v, v_2, t_m, t_h, E, eta,
         np.bitwise_and(m0, m1, m1)
         some121 = np.count_nonzero(m1)
         if some121:
-            np.multiply(v, t5, out)
-            np.divide(out, t4, out)
-            np.multiply(t1, out, t7)
-            np.power(out, t3, t6)
-            np.greater(out, C0, m2)
-            np.less(out, C2, m3)
+            np.multiply(C0, t5, out)
+            np.add(E, out, out)
+            np.multiply(v, t5, t7)
+            np.divide(t7, t4, t7)
+            np.multiply(t1, t7, t6)
+            np.power(t7, t3, t8)
+            np.greater(t7, C0, m2)
+            np.less(t7, C2, m3)
             np.bitwise_and(m2, m3, m3)
-            some116 = np.count_nonzero(m3)
-            if some116:
-                np.power(t6, n, t8)
-                np.power(t6, C0, t9)
-                np.multiply(t8, t9, t9)
-                np.divide(out, t9, t9)
-                np.subtract(t9, C1, t9)
-                np.divide(t9, t2, t9)
-                np.multiply(t6, t9, t9)
-                np.add(t6, t9, t8)
-            if some116 != size:
-                np.copyto(t8, t6, where=~m3)
-            np.multiply(t7, t8, t8)
-            np.multiply(C0, t5, t7)
-            np.add(E, t7, t7)
-            np.multiply(t8, t7, out)
+            some118 = np.count_nonzero(m3)
+            if some118:
+                np.power(t8, n, t9)
+                np.power(t8, C0, t10)
+                np.multiply(t9, t10, t10)
+                np.divide(t7, t10, t10)
+                np.subtract(t10, C1, t10)
+                np.divide(t10, t2, t10)
+                np.multiply(t8, t10, t10)
+                np.add(t8, t10, t9)
+            if some118 != size:
+                np.copyto(t9, t8, where=~m3)
+            np.multiply(t6, t9, t9)
+            np.multiply(t9, out, out)
         if some121 != size:
             np.copyto(out, C0, where=~m1)
     if some145 != size:
@@ -966,28 +966,28 @@ def block_retract_force_kelvin_voigt_all(out, t, A, n, v, v_2, t_m, t_h, E, eta,
         if some144:
             np.copyto(other145, C0)
         if some144 != size:
-            other144 = t7 if some144 else other145
+            other144 = t9 if some144 else other145
             np.divide(t0, n, other144)
-            np.multiply(v, t, t8)
-            np.divide(t8, t4, t8)
-            np.multiply(t1, t8, t6)
-            np.power(t8, t3, t9)
-            np.greater(t8, C0, m3)
-            np.less(t8, C2, m2)
+            np.multiply(v, t, t6)
+            np.divide(t6, t4, t6)
+            np.multiply(t1, t6, t7)
+            np.power(t6, t3, t8)
+            np.greater(t6, C0, m3)
+            np.less(t6, C2, m2)
             np.bitwise_and(m3, m2, m2)
             some137 = np.count_nonzero(m2)
             if some137:
-                np.power(t9, n, t10)
-                np.power(t9, C0, t11)
+                np.power(t8, n, t10)
+                np.power(t8, C0, t11)
                 np.multiply(t10, t11, t11)
-                np.divide(t8, t11, t11)
+                np.divide(t6, t11, t11)
                 np.subtract(t11, C1, t11)
                 np.divide(t11, t2, t11)
-                np.multiply(t9, t11, t11)
-                np.add(t9, t11, t10)
+                np.multiply(t8, t11, t11)
+                np.add(t8, t11, t10)
             if some137 != size:
-                np.copyto(t10, t9, where=~m2)
-            np.multiply(t6, t10, t10)
+                np.copyto(t10, t8, where=~m2)
+            np.multiply(t7, t10, t10)
             np.multiply(eta, other144, other144)
             np.divide(other144, t, other144)
             np.add(E, other144, other144)

@@ -497,8 +497,8 @@ def retract_force_kelvin_voigt(t, v, v_2, t_m, t_h, A, E, eta):
                 else:
                     v19 = t
                 if v16 and v19 > 0.0:
-                    v22 = v * v19
-                    value = 0.8 * v22 * sqrt(sqrt(6.0 * v22 / A)) * (E + 0.0 * v19)
+                    v27 = v * v19
+                    value = 0.8 * v27 * sqrt(sqrt(6.0 * v27 / A)) * (E + 0.0 * v19)
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
                     return None
@@ -545,16 +545,16 @@ def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, A, E, v8, v11, v43, 
         np.bitwise_and(m0, m1, m1)
         some34 = np.count_nonzero(m1)
         if some34:
-            np.multiply(v, t0, out)
-            np.multiply(C3, out, t1)
-            np.multiply(C4, out, out)
-            np.divide(out, A, out)
-            np.sqrt(out, out)
-            np.sqrt(out, out)
+            np.multiply(C0, t0, out)
+            np.add(E, out, out)
+            np.multiply(v, t0, t1)
+            np.multiply(C3, t1, t2)
+            np.multiply(C4, t1, t1)
+            np.divide(t1, A, t1)
+            np.sqrt(t1, t1)
+            np.sqrt(t1, t1)
+            np.multiply(t2, t1, t1)
             np.multiply(t1, out, out)
-            np.multiply(C0, t0, t1)
-            np.add(E, t1, t1)
-            np.multiply(out, t1, out)
         if some34 != size:
             np.copyto(out, C0, where=~m1)
     if some49 != size:
@@ -613,16 +613,16 @@ def block_retract_force_kelvin_voigt_all(out, t, A, v, v_2, t_m, t_h, E, eta, t0
         np.bitwise_and(m0, m1, m1)
         some34 = np.count_nonzero(m1)
         if some34:
-            np.multiply(v, t0, out)
-            np.multiply(C3, out, t2)
-            np.multiply(C4, out, out)
-            np.divide(out, A, out)
-            np.sqrt(out, out)
-            np.sqrt(out, out)
+            np.multiply(C0, t0, out)
+            np.add(E, out, out)
+            np.multiply(v, t0, t2)
+            np.multiply(C3, t2, t1)
+            np.multiply(C4, t2, t2)
+            np.divide(t2, A, t2)
+            np.sqrt(t2, t2)
+            np.sqrt(t2, t2)
+            np.multiply(t1, t2, t2)
             np.multiply(t2, out, out)
-            np.multiply(C0, t0, t2)
-            np.add(E, t2, t2)
-            np.multiply(out, t2, out)
         if some34 != size:
             np.copyto(out, C0, where=~m1)
     if some49 != size:

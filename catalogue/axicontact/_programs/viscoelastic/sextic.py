@@ -532,10 +532,10 @@ def retract_force_kelvin_voigt(t, v, v_2, t_m, t_h, A, E, eta):
                 else:
                     v19 = t
                 if v16 and v19 > 0.0:
-                    v22 = v * v19
-                    v27 = 20.0 * v22 / A
-                    v29 = pow(v27, 0.16666666666666666)
-                    value = 0.8571428571428571 * v22 * (v29 + v29 * ((v27 / (pow(v29, 6.0) * pow(v29, 0.0)) - 1.0) / 6.0) if v27 > 0.0 and v27 < inf else v29) * (E + 0.0 * v19)
+                    v27 = v * v19
+                    v32 = 20.0 * v27 / A
+                    v34 = pow(v32, 0.16666666666666666)
+                    value = 0.8571428571428571 * v27 * (v34 + v34 * ((v32 / (pow(v34, 6.0) * pow(v34, 0.0)) - 1.0) / 6.0) if v32 > 0.0 and v32 < inf else v34) * (E + 0.0 * v19)
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
                     return None
@@ -587,30 +587,30 @@ def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, A, E, v8, v11, v69, 
         np.bitwise_and(m0, m1, m1)
         some49 = np.count_nonzero(m1)
         if some49:
-            np.multiply(v, t0, out)
-            np.multiply(C3, out, t1)
-            np.multiply(C4, out, out)
-            np.divide(out, A, out)
-            np.power(out, C5, t2)
-            np.greater(out, C0, m2)
-            np.less(out, C2, m3)
+            np.multiply(C0, t0, out)
+            np.add(E, out, out)
+            np.multiply(v, t0, t1)
+            np.multiply(C3, t1, t2)
+            np.multiply(C4, t1, t1)
+            np.divide(t1, A, t1)
+            np.power(t1, C5, t3)
+            np.greater(t1, C0, m2)
+            np.less(t1, C2, m3)
             np.bitwise_and(m2, m3, m3)
-            some44 = np.count_nonzero(m3)
-            if some44:
-                np.power(t2, C6, t3)
-                np.power(t2, C0, t4)
-                np.multiply(t3, t4, t4)
-                np.divide(out, t4, t4)
-                np.subtract(t4, C1, t4)
-                np.divide(t4, C6, t4)
-                np.multiply(t2, t4, t4)
-                np.add(t2, t4, t3)
-            if some44 != size:
-                np.copyto(t3, t2, where=~m3)
-            np.multiply(t1, t3, t3)
-            np.multiply(C0, t0, t1)
-            np.add(E, t1, t1)
-            np.multiply(t3, t1, out)
+            some46 = np.count_nonzero(m3)
+            if some46:
+                np.power(t3, C6, t4)
+                np.power(t3, C0, t5)
+                np.multiply(t4, t5, t5)
+                np.divide(t1, t5, t5)
+                np.subtract(t5, C1, t5)
+                np.divide(t5, C6, t5)
+                np.multiply(t3, t5, t5)
+                np.add(t3, t5, t4)
+            if some46 != size:
+                np.copyto(t4, t3, where=~m3)
+            np.multiply(t2, t4, t4)
+            np.multiply(t4, out, out)
         if some49 != size:
             np.copyto(out, C0, where=~m1)
     if some75 != size:
@@ -620,31 +620,31 @@ def block_retract_force_kelvin_voigt_t(out, t, v, t_m, t_h, A, E, v8, v11, v69, 
         if some74:
             np.copyto(other75, C0)
         if some74 != size:
-            other74 = t1 if some74 else other75
+            other74 = t4 if some74 else other75
             np.multiply(v, t, other74)
-            np.multiply(C3, other74, t3)
+            np.multiply(C3, other74, t2)
             np.multiply(C4, other74, other74)
             np.divide(other74, A, other74)
-            np.power(other74, C5, t2)
+            np.power(other74, C5, t1)
             np.greater(other74, C0, m3)
             np.less(other74, C2, m2)
             np.bitwise_and(m3, m2, m2)
             some66 = np.count_nonzero(m2)
             if some66:
-                np.power(t2, C6, t4)
-                np.power(t2, C0, t5)
-                np.multiply(t4, t5, t5)
+                np.power(t1, C6, t3)
+                np.power(t1, C0, t5)
+                np.multiply(t3, t5, t5)
                 np.divide(other74, t5, t5)
                 np.subtract(t5, C1, t5)
                 np.divide(t5, C6, t5)
-                np.multiply(t2, t5, t5)
-                np.add(t2, t5, t4)
+                np.multiply(t1, t5, t5)
+                np.add(t1, t5, t3)
             if some66 != size:
-                np.copyto(t4, t2, where=~m2)
-            np.multiply(t3, t4, t4)
-            np.divide(v69, t, t3)
-            np.add(E, t3, t3)
-            np.multiply(t4, t3, other74)
+                np.copyto(t3, t1, where=~m2)
+            np.multiply(t2, t3, t3)
+            np.divide(v69, t, t2)
+            np.add(E, t2, t2)
+            np.multiply(t3, t2, other74)
             if some74:
                 np.copyto(other75, other74, where=~m1)
         if some75:
@@ -683,30 +683,30 @@ def block_retract_force_kelvin_voigt_all(out, t, A, v, v_2, t_m, t_h, E, eta, t0
         np.bitwise_and(m0, m1, m1)
         some49 = np.count_nonzero(m1)
         if some49:
-            np.multiply(v, t0, out)
-            np.multiply(C3, out, t2)
-            np.multiply(C4, out, out)
-            np.divide(out, A, out)
-            np.power(out, C5, t1)
-            np.greater(out, C0, m2)
-            np.less(out, C2, m3)
+            np.multiply(C0, t0, out)
+            np.add(E, out, out)
+            np.multiply(v, t0, t2)
+            np.multiply(C3, t2, t1)
+            np.multiply(C4, t2, t2)
+            np.divide(t2, A, t2)
+            np.power(t2, C5, t3)
+            np.greater(t2, C0, m2)
+            np.less(t2, C2, m3)
             np.bitwise_and(m2, m3, m3)
-            some44 = np.count_nonzero(m3)
-            if some44:
-                np.power(t1, C6, t3)
-                np.power(t1, C0, t4)
-                np.multiply(t3, t4, t4)
-                np.divide(out, t4, t4)
-                np.subtract(t4, C1, t4)
-                np.divide(t4, C6, t4)
-                np.multiply(t1, t4, t4)
-                np.add(t1, t4, t3)
-            if some44 != size:
-                np.copyto(t3, t1, where=~m3)
-            np.multiply(t2, t3, t3)
-            np.multiply(C0, t0, t2)
-            np.add(E, t2, t2)
-            np.multiply(t3, t2, out)
+            some46 = np.count_nonzero(m3)
+            if some46:
+                np.power(t3, C6, t4)
+                np.power(t3, C0, t5)
+                np.multiply(t4, t5, t5)
+                np.divide(t2, t5, t5)
+                np.subtract(t5, C1, t5)
+                np.divide(t5, C6, t5)
+                np.multiply(t3, t5, t5)
+                np.add(t3, t5, t4)
+            if some46 != size:
+                np.copyto(t4, t3, where=~m3)
+            np.multiply(t1, t4, t4)
+            np.multiply(t4, out, out)
         if some49 != size:
             np.copyto(out, C0, where=~m1)
     if some75 != size:
@@ -716,32 +716,32 @@ def block_retract_force_kelvin_voigt_all(out, t, A, v, v_2, t_m, t_h, E, eta, t0
         if some74:
             np.copyto(other75, C0)
         if some74 != size:
-            other74 = t2 if some74 else other75
+            other74 = t4 if some74 else other75
             np.multiply(v, t, other74)
-            np.multiply(C3, other74, t3)
+            np.multiply(C3, other74, t1)
             np.multiply(C4, other74, other74)
             np.divide(other74, A, other74)
-            np.power(other74, C5, t1)
+            np.power(other74, C5, t2)
             np.greater(other74, C0, m3)
             np.less(other74, C2, m2)
             np.bitwise_and(m3, m2, m2)
             some66 = np.count_nonzero(m2)
             if some66:
-                np.power(t1, C6, t4)
-                np.power(t1, C0, t5)
-                np.multiply(t4, t5, t5)
+                np.power(t2, C6, t3)
+                np.power(t2, C0, t5)
+                np.multiply(t3, t5, t5)
                 np.divide(other74, t5, t5)
                 np.subtract(t5, C1, t5)
                 np.divide(t5, C6, t5)
-                np.multiply(t1, t5, t5)
-                np.add(t1, t5, t4)
+                np.multiply(t2, t5, t5)
+                np.add(t2, t5, t3)
             if some66 != size:
-                np.copyto(t4, t1, where=~m2)
-            np.multiply(t3, t4, t4)
-            np.multiply(eta, C7, t3)
-            np.divide(t3, t, t3)
-            np.add(E, t3, t3)
-            np.multiply(t4, t3, other74)
+                np.copyto(t3, t2, where=~m2)
+            np.multiply(t1, t3, t3)
+            np.multiply(eta, C7, t1)
+            np.divide(t1, t, t1)
+            np.add(E, t1, t1)
+            np.multiply(t3, t1, other74)
             if some74:
                 np.copyto(other75, other74, where=~m1)
         if some75:

@@ -34,6 +34,8 @@ CORE, LONGEST = 1.2, PANEL * np.array([1.0, 2.0, 1.0, 2.0, 1.0])
 away, and at the ends the slope and the mirror image come close."""
 CLEAR, FAR = 0.75, 3.0
 """Distances of the singular point, in lengths of a panel, from which 16 and 8 nodes need no sinh(u)."""
+DIGITS = 0.01
+"""The distance, in places v, below which it is not known as a difference of them."""
 SURFACE = 1e-30
 """Depths below the surface, in lengths of the contact, that change nothing."""
 SMOOTH = 8.0
@@ -49,6 +51,12 @@ POINTED, SHALLOW = 1e-12, 0.3
 AROUND = ((1.2, 32), (2.2, 16))
 """Half the sums of the distances from both ends of a diameter, in contact radii, from which a slope t**j needs no more
 than half so many nodes: the error of a rule is a power of the axes of this ellipse."""
+PANELS, NONE = -1, -2
+"""In place of a number of nodes: by panels, and nothing at all."""
+BLOCKS = ((0, 4 * POINTS), (32, POINTS), (16, 2 * POINTS))
+"""Points that are taken together, by the nodes of a rule; of the closed form 0."""
+CLOSE = 0.8
+"""An inner radius, in contact radii, from which on its numbers are too much like those of the contact."""
 
 
 class Variable(NamedTuple):
@@ -317,35 +325,52 @@ def polynomial(t: Array, *coefficients: Array) -> Array:
 
 
 def _of_polynomial(numbers: Numbers, r: Array, z: Array, piece: Piece) -> Array:
-    """The numbers of a polynomial slope: closed next to the contact, from a rule around it, else from panels."""
-    a, total, slope, scale = piece.high, np.empty((numbers.size, r.size)), [], 1.0
-    for c in piece.parameters:
-        slope.append(c * scale)
-        scale = scale * a
-    x, y, gap = r / a, z / a, (a - r) / a
-    around = 0.5 * (np.sqrt(gap * gap + y * y) + np.sqrt((x + 1.0) ** 2 + y * y))
-    (near, many), (far, few) = AROUND
-    closed = (around < near) & (y >= -SHALLOW * gap) & (x + y > POINTED) & ((gap != 0.0) | (y > 0.0))
-    rest = np.flatnonzero(~closed & (around < near))
+    """The numbers of a polynomial slope: closed next to the contact, from a rule around it, else from panels.
+
+    Of radii from an inner one on those up to it are taken away, unless it is close to the edge.
+    """
+    total, nodes = np.zeros((numbers.size, r.size)), _nodes(r, z, piece.high)
+    parts, inner = [(1.0, piece.high, nodes)], piece.low > 0.0
+    if inner.any():
+        less = np.where(inner, _nodes(r, z, np.where(inner, piece.low, piece.high)), NONE)
+        nodes[inner & ((less == PANELS) | (piece.low > CLOSE * piece.high))] = PANELS
+        parts.append((-1.0, piece.low, np.where(nodes == PANELS, NONE, less)))
+    rest = np.flatnonzero(nodes == PANELS)
     if rest.size:
-        shape = (piece.low, a, piece.length, piece.longest, piece.power)
+        shape = (piece.low, piece.high, piece.length, piece.longest, piece.power)
         low, high, length, longest, power, *others = (own[rest] for own in (*shape, *piece.parameters))
         own = Piece(piece.variable, low, high, polynomial, tuple(others), length, longest, power)
         total[:, rest] = _of_piece(numbers, r[rest], z[rest], own)
 
-    rings = (closed, 4 * POINTS, 0), ((around >= near) & (around < far), POINTS, many), (around >= far, 2 * POINTS, few)
-    for where, block, count in rings:
-        points = np.flatnonzero(where)
-        for begin in range(0, points.size, block):
-            o = points[begin : begin + block]
-            rates = [c[o] for c in slope]
-            if count:
-                total[:, o] = _around(numbers, count, r[o][:, None], z[o][:, None], a[o][:, None], rates)
-            else:
-                one = punch(x[o], y[o], np.ones(o.size), gap[o])
-                made = sums(numbers.orders, one.r, one.z, one.xi, one.flat, rates, sunk=numbers.sunk)
-                total[:, o] = numbers.made(made, a[o])
+    for sign, end, own_nodes in parts:
+        for count, block in BLOCKS:
+            points = np.flatnonzero(own_nodes == count)
+            for begin in range(0, points.size, block):
+                o = points[begin : begin + block]
+                total[:, o] += _from_axis(numbers, count, r[o], z[o], end[o], [sign * c[o] for c in piece.parameters])
     return total
+
+
+def _nodes(r: Array, z: Array, a: Array) -> Array:
+    """How many nodes the rule over a diameter needs, 0 where the closed form keeps its digits; or `PANELS`."""
+    x, y, gap = r / a, z / a, (a - r) / a
+    around = 0.5 * (np.sqrt(gap * gap + y * y) + np.sqrt((x + 1.0) ** 2 + y * y))
+    (near, many), (far, few) = AROUND
+    closed = (y >= -SHALLOW * gap) & (x + y > POINTED) & ((gap != 0.0) | (y > 0.0))
+    return np.where(around < near, np.where(closed, 0, PANELS), np.where(around < far, many, few))
+
+
+def _from_axis(numbers: Numbers, count: int, r: Array, z: Array, a: Array, slope: list[Array]) -> Array:
+    """The numbers of radii up to a, in closed form or by a rule."""
+    scale, rates = 1.0, []
+    for c in slope:
+        rates.append(c * scale)
+        scale = scale * a
+    if count:
+        return _around(numbers, count, r[:, None], z[:, None], a[:, None], rates)
+    one = punch(r / a, z / a, np.ones(r.size), (a - r) / a)
+    made = sums(numbers.orders, one.r, one.z, one.xi, one.flat, rates, sunk=numbers.sunk)
+    return np.array(numbers.made(made, a))
 
 
 def _around(numbers: Numbers, count: int, r: Array, z: Array, a: Array, slope: list[Array]) -> Array:
@@ -385,16 +410,15 @@ def _of_piece(numbers: Numbers, r: Array, z: Array, piece: Piece) -> Array:
         w = r + 1j * z
         star = np.where((w == 0.0) & (variable.endless), TIP, variable.place(w, b))
         top = _away(piece, piece.high, w, star)
+        lowest, bottom = variable.place(piece.low + 0j, b).real, _away(piece, piece.low, w, star).real
         if variable.endless:
-            lowest = np.where(w == 0.0, 0.0, np.minimum(star.real, 0.0)) - np.log(_tail_of(piece.power))
-            bottom = lowest - star.real
-        else:
-            lowest = variable.place(piece.low + 0j, b).real
-            bottom = _away(piece, piece.low, w, star).real
+            tail = np.where(w == 0.0, 0.0, np.minimum(star.real, 0.0)) - np.log(_tail_of(piece.power))
+            lowest = np.where(piece.low > 0.0, lowest, tail)
+            bottom = np.where(piece.low > 0.0, bottom, tail - star.real)
         alpha, beta, top = star.real, np.abs(top.imag), top.real
         highest = variable.place(piece.high + 0j, b).real
         # not as the difference of both distances, which far away have lost its digits
-        whole = highest - lowest
+        whole = np.where(piece.low > 0.0, _away(piece, piece.high, piece.low + 0j, lowest).real, highest - lowest)
         mirror = np.full(r.shape, 4.0) if variable.endless else 2.0 * alpha
         count = np.maximum(1.0, np.ceil(whole / piece.longest)).astype(int)
         point, share, share_1 = _split(count)
@@ -402,7 +426,9 @@ def _of_piece(numbers: Numbers, r: Array, z: Array, piece: Piece) -> Array:
         # from the nearer end, whose distance is known to its last digits
         left = np.where(share < 0.5, low + width * share, high - width * (1.0 - share))
         right = np.where(share_1 < 0.5, low + width * share_1, high - width * (1.0 - share_1))
-        total = _tail(numbers, r, z, piece) if variable.endless else np.zeros((numbers.size, r.size))
+        total = np.zeros((numbers.size, r.size))
+        if variable.endless:
+            total += np.where(piece.low > 0.0, 0.0, _tail(numbers, r, z, piece))
         begin = lowest[point] + width * share
         # a high power takes its digits from the end at which it is large
         begin = np.where((variable.endless) & (share >= 0.5), highest[point] - width * (1.0 - share), begin)
@@ -461,8 +487,9 @@ def _panels(
     """Panels from `left` to `right` of v - alpha, from `first` of v on, by how close the singular point is."""
     distance = np.hypot(np.maximum(np.maximum(left, -right), 0.0), beta[point])
     # at the inner end of a piece, on the surface, the kernel only makes up for the slope
-    clear = (distance > CLEAR * width) | ((beta == 0.0) & (mirror == 0.0))[point]
-    far = power & (distance > FAR * width)
+    clear = (distance > CLEAR * width) & (distance > DIGITS * np.abs(first + width))
+    clear |= ((beta == 0.0) & (mirror == 0.0))[point]
+    far = power & clear & (distance > FAR * width)
 
     def straight(v: Array, o: Array, _: Array) -> tuple[Array, Array, Array]:
         return v, v - alpha[o], 1.0

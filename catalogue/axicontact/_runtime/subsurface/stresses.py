@@ -7,6 +7,7 @@ the traction is mu p in the direction phi = 0.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
@@ -122,11 +123,19 @@ def sliding_below(
     E_star: Result, nu: Result, mu: Result, inner: Result = None, **geometry: Result,
 ) -> SlidingStress:  # fmt: skip
     """What friction adds, with a zone of stick up to the radius `inner` if there is one."""
-    others = {"phi": phi, "nu": nu, "E_star": E_star, "mu": mu} | ({} if inner is None else {"c": inner})
-    found, (phi, nu, E_star, mu, *inside) = _found(FRICTION, shape, r, z, given, geometry, **others)
-    for c in inside:
-        found = found - _found(FRICTION, shape, r, z, c, geometry, phi=phi)[0]
+    if inner is not None:
+        shape, geometry = partial(_slipping, shape), {"c": inner, **geometry}
+    others = {"phi": phi, "nu": nu, "E_star": E_star, "mu": mu}
+    found, (phi, nu, E_star, mu) = _found(FRICTION, shape, r, z, given, geometry, **others)
     return SlidingStress(*plain(frictional_stress(found, phi, nu, mu * E_star / np.pi)))
+
+
+def _slipping(shape: Shape, given: Array, c: Array, **geometry: Array) -> tuple[Array, Array, Sequence[Piece]]:
+    """A contact without the punches of the zone of stick: their tractions are taken from each other."""
+    (radius, edge, pieces), (stuck, *_) = (shape(x, **geometry) for x in (given, c))
+    # not as a difference of fields, which is infinite at a tip within the zone and has lost its digits beside it
+    own = [p._replace(low=np.maximum(p.low, stuck), sharp=p.sharp & (stuck <= p.low)) for p in pieces]
+    return np.where((stuck >= 0.0) & (stuck <= radius), radius, np.nan), edge, own
 
 
 def _found(

@@ -18,7 +18,8 @@ def _retract_force_maxwell(t, v, v_2, t_m, t_h, A, n, E, tau):
     lag = lag_maxwell(t, t_m, t_h, v_2 / v, E, tau)
     t_1 = earlier(t, t_m, lag)
     m = (n + 1) / n
-    back = normal._force_from_depth(v * t_1, A, n, 1.0) * kept_maxwell(t, t_1, passed(t, t_m, lag), m, E, tau) if (t > t_m) & (t_1 > 0.0) else 0.0
+    kept = kept_maxwell(t, t_1, passed(t, t_m, lag), m, E, tau)
+    back = normal._force_from_depth(v * t_1, A, n, 1.0) * kept if (t > t_m) & (t_1 > 0.0) else 0.0
     return back if t > t_m else _ramp_force_maxwell(t, v, A, n, E, tau)
 
 
@@ -41,7 +42,8 @@ def _retract_force_standard_solid(t, v, v_2, t_m, t_h, A, n, E_inf, E_1, tau):
     lag = lag_standard_solid(t, t_m, t_h, v_2 / v, E_inf, E_1, tau)
     t_1 = earlier(t, t_m, lag)
     m = (n + 1) / n
-    back = normal._force_from_depth(v * t_1, A, n, 1.0) * kept_standard_solid(t, t_1, passed(t, t_m, lag), m, E_inf, E_1, tau) if (t > t_m) & (t_1 > 0.0) else 0.0
+    kept = kept_standard_solid(t, t_1, passed(t, t_m, lag), m, E_inf, E_1, tau)
+    back = normal._force_from_depth(v * t_1, A, n, 1.0) * kept if (t > t_m) & (t_1 > 0.0) else 0.0
     return back if t > t_m else _ramp_force_standard_solid(t, v, A, n, E_inf, E_1, tau)
 
 
@@ -59,7 +61,8 @@ def _retract_force_power_creep(t, v, v_2, t_m, t_h, A, n, E, alpha, t_0):
     lag = lag_power_creep(t, t_m, t_h, v_2 / v, E, alpha, t_0)
     t_1 = earlier(t, t_m, lag)
     m = (n + 1) / n
-    back = normal._force_from_depth(v * t_1, A, n, 1.0) * kept_power_creep(t, t_1, passed(t, t_m, lag), m, E, alpha, t_0) if (t > t_m) & (t_1 > 0.0) else 0.0
+    kept = kept_power_creep(t, t_1, passed(t, t_m, lag), m, E, alpha, t_0)
+    back = normal._force_from_depth(v * t_1, A, n, 1.0) * kept if (t > t_m) & (t_1 > 0.0) else 0.0
     return back if t > t_m else _ramp_force_power_creep(t, v, A, n, E, alpha, t_0)
 
 

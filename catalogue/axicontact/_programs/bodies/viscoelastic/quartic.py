@@ -16,7 +16,8 @@ def _ramp_force_maxwell(t, v, A, E, tau):
 def _retract_force_maxwell(t, v, v_2, t_m, t_h, A, E, tau):
     lag = lag_maxwell(t, t_m, t_h, v_2 / v, E, tau)
     t_1 = earlier(t, t_m, lag)
-    back = normal._force_from_depth(v * t_1, A, 1.0) * kept_maxwell(t, t_1, passed(t, t_m, lag), 1.25, E, tau) if (t > t_m) & (t_1 > 0.0) else 0.0
+    kept = kept_maxwell(t, t_1, passed(t, t_m, lag), 1.25, E, tau)
+    back = normal._force_from_depth(v * t_1, A, 1.0) * kept if (t > t_m) & (t_1 > 0.0) else 0.0
     return back if t > t_m else _ramp_force_maxwell(t, v, A, E, tau)
 
 
@@ -37,7 +38,8 @@ def _retract_radius_standard_solid(t, v, v_2, t_m, t_h, A, E_inf, E_1, tau):
 def _retract_force_standard_solid(t, v, v_2, t_m, t_h, A, E_inf, E_1, tau):
     lag = lag_standard_solid(t, t_m, t_h, v_2 / v, E_inf, E_1, tau)
     t_1 = earlier(t, t_m, lag)
-    back = normal._force_from_depth(v * t_1, A, 1.0) * kept_standard_solid(t, t_1, passed(t, t_m, lag), 1.25, E_inf, E_1, tau) if (t > t_m) & (t_1 > 0.0) else 0.0
+    kept = kept_standard_solid(t, t_1, passed(t, t_m, lag), 1.25, E_inf, E_1, tau)
+    back = normal._force_from_depth(v * t_1, A, 1.0) * kept if (t > t_m) & (t_1 > 0.0) else 0.0
     return back if t > t_m else _ramp_force_standard_solid(t, v, A, E_inf, E_1, tau)
 
 
@@ -53,7 +55,8 @@ def _ramp_force_power_creep(t, v, A, E, alpha, t_0):
 def _retract_force_power_creep(t, v, v_2, t_m, t_h, A, E, alpha, t_0):
     lag = lag_power_creep(t, t_m, t_h, v_2 / v, E, alpha, t_0)
     t_1 = earlier(t, t_m, lag)
-    back = normal._force_from_depth(v * t_1, A, 1.0) * kept_power_creep(t, t_1, passed(t, t_m, lag), 1.25, E, alpha, t_0) if (t > t_m) & (t_1 > 0.0) else 0.0
+    kept = kept_power_creep(t, t_1, passed(t, t_m, lag), 1.25, E, alpha, t_0)
+    back = normal._force_from_depth(v * t_1, A, 1.0) * kept if (t > t_m) & (t_1 > 0.0) else 0.0
     return back if t > t_m else _ramp_force_power_creep(t, v, A, E, alpha, t_0)
 
 
