@@ -174,6 +174,42 @@ def test_on_the_surface_the_fields_are_those_of_the_normal_contact(name: str) ->
     assert stretched.rr + stretched.tt == pytest.approx(-(1 + 2 * NU) * pressure, rel=1e-11, abs=1e-11)
 
 
+@pytest.mark.parametrize("depth", [0.0, 1e-300, 1e-140, 1e-40])
+@pytest.mark.parametrize("name", PROFILES)
+def test_special_places_next_to_the_surface_are_like_their_neighbours(name: str, depth: float) -> None:
+    """The tip, the break, the edge and the radius of a sphere; but for stresses that have no bound there."""
+    fields, _, geometry, given, a = contact(name)
+    lengths = [x for x in (geometry.get("b"), geometry.get("R")) if x]
+    r = np.array([0.0, a, *lengths])
+    beside = r + 1e-9
+    here, there = (fields.displacement(x, z, given, nu=NU, **geometry) for x, z in ((r, depth), (beside, 0.0)))
+    assert np.array(here) == pytest.approx(np.array(there), abs=1e-4)
+    # no pressure has a bound at a tip, a kink or the edge of a face
+    bounded = slice(int(name in ("cone", "polynomial")), 1 if name in FIXED else 2 if name in KINKED else None)
+    material = {"E_star": E_STAR, "nu": NU, **geometry}
+    here, there = (np.array(fields.stress(x[bounded], z, given, **material)) for x, z in ((r, depth), (beside, 0.0)))
+    assert here == pytest.approx(there, abs=1e-3)
+
+
+@pytest.mark.parametrize("name", ["cone", "truncated_cone", "truncated_paraboloid", "capped_paraboloid"])
+def test_below_a_tip_and_a_kink_the_stress_grows_like_the_logarithm_of_the_depth(name: str) -> None:
+    fields, _, geometry, a, _ = contact(name)
+    z = np.array([1e-25, 1e-65, 1e-105, 1e-145])
+    found = fields.stress(geometry.get("b", 0.0), z, a, E_star=E_STAR, nu=NU, **geometry).zz
+    assert np.diff(found) == pytest.approx(np.diff(found)[0], rel=1e-12)
+    assert np.diff(found)[0] < -1.0
+
+
+def test_no_points_have_no_stresses() -> None:
+    found = subsurface.sphere.stress([], 0.1, 0.9, R=1.5, E_star=E_STAR, nu=NU)
+    assert [own.shape for own in found] == [(0,)] * 4
+
+
+def test_no_load_has_no_place_of_the_greatest_stress() -> None:
+    found = subsurface.truncated_cone.greatest_shear(0.5, theta=0.4, b=0.5, E_star=E_STAR, nu=NU)
+    assert found == pytest.approx((0.0, np.nan, np.nan), nan_ok=True)
+
+
 @pytest.mark.parametrize("name", [name for name in PROFILES if name not in FIXED])
 def test_a_stick_zone_takes_the_friction_of_its_own_contact_away(name: str) -> None:
     fields, _, geometry, a, _ = contact(name)
