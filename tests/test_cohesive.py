@@ -265,6 +265,9 @@ def test_a_weak_attraction_lets_go_without_contact() -> None:
     touching = own.without_contact(first * (1.0 - 1e-12), **material)
     assert touching == pytest.approx((own.depth(0.0, **material), own.force(0.0, **material)), rel=1e-10)
     assert np.isnan(own.without_contact(1.001 * first, **material).depth)
+    # as far away as anything attracts
+    for name in ("paraboloid", "sphere", "hyperboloid"):
+        assert module(name).without_contact(0.0, **GEOMETRY[name], **GIVEN, sigma_0=0.01) == (-1.0, 0.0)
     assert own.radius_from_depth(0.5 * (state.depth + own.depth(0.0, **material)), **material) == 0.0
 
 

@@ -14,7 +14,7 @@ import pytest
 import sympy as sp
 
 from axicontact._runtime.physics import layer as runtime
-from axicontact.layer import cone, flat_punch, paraboloid
+from axicontact.layer import cone, flat_punch, paraboloid, rounded_punch
 from axicontact.normal import paraboloid as half_space
 from axiderive import notation as nt
 from axiderive.checks.checks import check_problem
@@ -219,6 +219,17 @@ def test_arrays_are_the_numbers() -> None:
     assert grid[3, 1] == pytest.approx(paraboloid.force(float(radii[4]), **(given | {"thickness": 2.0})), rel=1e-14)
     assert np.isnan(paraboloid.depth(-1.0, R=1.0, nu=0.3, thickness=1.0))
     assert paraboloid.depth(0.0, R=1.0, nu=0.3, thickness=1.0) == 0.0
+
+
+def test_without_a_load_the_contact_is_the_flat_face() -> None:
+    given = {"R": 1.4, "b": 0.5, "nu": 0.3, "thickness": 0.7}
+    assert (
+        rounded_punch.radius_from_depth(0.0, **given)
+        == rounded_punch.radius_from_force(0.0, **given, E_star=1.0)
+        == 0.5
+    )
+    assert rounded_punch.force_from_depth(0.0, **given, E_star=1.0) == 0.0
+    assert paraboloid.radius_from_depth(0.0, R=1.0, nu=0.3, thickness=1.0) == 0.0
 
 
 def test_units_of_any_size() -> None:
