@@ -58,7 +58,8 @@ def claim(one: Row, entry: Entry, case: Case, entries: Entries, base: Entries) -
         return _law(entry, case, base)
     if own.inverts or own.symbol == nt.a_c:
         return Claim((*slip, *_balance(entry, case)))
-    return Claim(_pulled(entry, case, entries), case.expr)
+    ring = tuple((one.quantity.symbol, one) for one in entries.values() if one.quantity.symbol == nt.r_peak)
+    return Claim((*ring, *_pulled(entry, case, entries)), case.expr)
 
 
 def _slip(entry: Entry, base: Entries) -> Given:

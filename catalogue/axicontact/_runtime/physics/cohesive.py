@@ -311,5 +311,5 @@ def _ring(near: Array, far: Array, kc: Array, end: Array, within: Array) -> Arra
 
 def alone(opened: Opening, c: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     """The depth of surfaces that attract each other up to the radius c without contact."""
-    gap, _ = opened(c, np.zeros_like(c))
+    gap = np.where(c == 0.0, 0.0, opened(c, np.zeros_like(c))[0])
     return gap - dgamma / sigma_0 - 4.0 / np.pi * (sigma_0 / E_star) * c

@@ -246,6 +246,7 @@ def radius_on_layer(
     """The contact radius at which a curve has the value, from that on the half-space; NaN if the body ends before."""
     reach = np.minimum(THINNEST * thickness, largest)
     found = inverse(curve, value, np.fmin(start, reach), WIDE, reach, smooth=smooth)
+    found = np.where(value == 0.0, start, found)
     last = found >= reach * (1.0 - SETTLED)
     if not np.any(last):
         return found

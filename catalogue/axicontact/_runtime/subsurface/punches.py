@@ -36,12 +36,12 @@ CLEAR, FAR = 0.75, 3.0
 """Distances of the singular point, in lengths of a panel, from which 16 and 8 nodes need no sinh(u)."""
 DIGITS = 0.01
 """The distance, in places v, below which it is not known as a difference of them."""
-SURFACE = 1e-30
-"""Depths below the surface, in lengths of the contact, that change nothing."""
 SMOOTH = 8.0
 """Order to which a power of t is smooth in t**(1/m) at least, in which it is integrated next to the axis."""
 TIP = -700.0
 """Place of the tip in log(t), below that of every radius that counts."""
+BORDER = 40.0
+"""Place of the radius R itself in artanh(t/R), beyond that of every radius of a contact."""
 POINTS = 512
 """Panels that are summed together, so that what they need stays in the cache."""
 HIGHEST = 6
@@ -55,6 +55,8 @@ PANELS, NONE = -1, -2
 """In place of a number of nodes: by panels, and nothing at all."""
 BLOCKS = ((0, 4 * POINTS), (32, POINTS), (16, 2 * POINTS))
 """Points that are taken together, by the nodes of a rule; of the closed form 0."""
+BETWEEN = ((5.8, FEW), (2.2, MANY))
+"""Sums of the distances from two radii, over what is between them, from which so many nodes there are enough."""
 CLOSE = 0.8
 """An inner radius, in contact radii, from which on its numbers are too much like those of the contact."""
 
@@ -80,9 +82,9 @@ class Variable(NamedTuple):
 
 def _both(x: Array) -> tuple[Array, Array]:
     """sinh and cosh."""
-    more = np.expm1(x)
+    more = np.expm1(np.abs(x))
     whole = 1.0 + more
-    return 0.5 * more * (1.0 + 1.0 / whole), 0.5 * (whole + 1.0 / whole)
+    return np.copysign(0.5 * more * (1.0 + 1.0 / whole), x), 0.5 * (whole + 1.0 / whole)
 
 
 def _of_cosh(v: Array, b: Array) -> tuple[Array, Array]:
@@ -201,10 +203,10 @@ def punch(r: Array, z: Array, t: Array, gap: Array) -> Punch:
     """Flat punches of radii t, pressed in by one; `gap` is t - r."""
     both, zz = r + t, z * z
     # the squares of lengths stay in range where those of squares would not
-    size = np.sqrt(gap * gap + zz) * np.sqrt(both * both + zz)
+    size = np.maximum(np.sqrt(gap * gap + zz), z) * np.sqrt(both * both + zz)
     rest = zz - gap * both
     large = np.sqrt((size + np.abs(rest)) * 0.5)
-    small = z * (t / large)
+    small = np.where(large > 0.0, z * (t / large), 0.0)
     ahead = rest >= 0.0
     xi, eta = np.where(ahead, large, small), np.where(ahead, small, large)
     root = np.sqrt(size)
@@ -327,14 +329,22 @@ def polynomial(t: Array, *coefficients: Array) -> Array:
 def _of_polynomial(numbers: Numbers, r: Array, z: Array, piece: Piece) -> Array:
     """The numbers of a polynomial slope: closed next to the contact, from a rule around it, else from panels.
 
-    Of radii from an inner one on those up to it are taken away, unless it is close to the edge.
+    Of radii from an inner one on, a rule between them takes those points that are away from both. Elsewhere those up to
+    the inner one are taken away, unless it is close to the edge.
     """
     total, nodes = np.zeros((numbers.size, r.size)), _nodes(r, z, piece.high)
     parts, inner = [(1.0, piece.high, nodes)], piece.low > 0.0
     if inner.any():
         less = np.where(inner, _nodes(r, z, np.where(inner, piece.low, piece.high)), NONE)
         nodes[inner & ((less == PANELS) | (piece.low > CLOSE * piece.high))] = PANELS
-        parts.append((-1.0, piece.low, np.where(nodes == PANELS, NONE, less)))
+        away = np.hypot(r - piece.low, z) + np.hypot(r - piece.high, z)
+        for distance, count in BETWEEN:
+            o = np.flatnonzero(inner & (nodes != NONE) & (away >= distance * (piece.high - piece.low)))
+            for some in np.split(o, range(POINTS, o.size, POINTS)):
+                own = [x[some] for x in (r, z, piece.low, piece.high, *piece.parameters)]
+                total[:, some] = _between(numbers, count, *own)
+            nodes[o] = NONE
+        parts.append((-1.0, piece.low, np.where(nodes < 0, NONE, less)))
     rest = np.flatnonzero(nodes == PANELS)
     if rest.size:
         shape = (piece.low, piece.high, piece.length, piece.longest, piece.power)
@@ -390,6 +400,13 @@ def _around(numbers: Numbers, count: int, r: Array, z: Array, a: Array, slope: l
     return total
 
 
+def _between(numbers: Numbers, count: int, r: Array, z: Array, low: Array, high: Array, *slope: Array) -> Array:
+    nodes, weights = gauss_legendre(count)
+    t = low[:, None] + (high - low)[:, None] * nodes
+    weight = polynomial(t, *(c[:, None] for c in slope)) * weights * (high - low)[:, None]
+    return _sums(numbers, punch(r[:, None], z[:, None], t, t - r[:, None]), weight)
+
+
 class Panels(NamedTuple):
     """Panels of integrals: the point of each, where it begins and how far it goes in its own variable."""
 
@@ -406,9 +423,9 @@ class Panels(NamedTuple):
 def _of_piece(numbers: Numbers, r: Array, z: Array, piece: Piece) -> Array:
     variable, b = piece.variable, piece.length
     with np.errstate(all="ignore"):
-        z = np.where(z < SURFACE * (r + piece.high), 0.0, z)
         w = r + 1j * z
         star = np.where((w == 0.0) & (variable.endless), TIP, variable.place(w, b))
+        star = np.where(np.isfinite(star), star, BORDER)
         top = _away(piece, piece.high, w, star)
         lowest, bottom = variable.place(piece.low + 0j, b).real, _away(piece, piece.low, w, star).real
         if variable.endless:

@@ -58,6 +58,8 @@ class Greatest(NamedTuple):
     z: Result
 
 
+SURFACE = 1e-150
+"""Depths, in lengths of the contact, that are the surface: their squares are nothing beside its own."""
 BLOCK = 8192
 """Points that are taken together, so that what they need stays in the cache."""
 Shape: TypeAlias = Callable[..., tuple[Array, Array, Sequence[Piece]]]
@@ -78,12 +80,13 @@ def summed(numbers: Numbers, shape: Shape, r: Array, z: Array, given: Array, geo
             part = slice(begin, begin + BLOCK)
             r, z, given, *own = (x[part] for x in known)
             total[:, part] = _of_contacts(numbers, r, z, shape(given, **dict(zip(geometry, own, strict=True))))
-    return total.reshape(-1, *size)
+    return total.reshape(numbers.size, *size)
 
 
 def _of_contacts(numbers: Numbers, r: Array, z: Array, contacts: tuple[Array, Array, Sequence[Piece]]) -> Array:
     radius, edge, pieces = contacts
     radius, edge = np.broadcast_to(radius, r.shape), np.broadcast_to(edge, r.shape)
+    z = np.where((z > 0.0) & (z < SURFACE * (r + radius)), 0.0, z)
     total = superposed(numbers, r, z, pieces)
     pressed = np.flatnonzero((edge != 0.0) & (radius > 0.0))
     x, y, t = r[pressed], z[pressed], radius[pressed]
@@ -187,7 +190,8 @@ def _greatest_of(
         found = summed(STRESS, shape, r, z, np.full(r.shape, given), {n: np.full(r.shape, x) for n, x in known.items()})
         return measure(Stress(*normal_stress(found, nu, modulus / np.pi)))
 
-    return greatest(value, a, [0.0, *inside, a])
+    found = greatest(value, a, [0.0, *inside, a])
+    return found if found.value > 0.0 else Greatest(0.0, np.nan, np.nan)
 
 
 def plain(values: Sequence[Array]) -> list[Result]:
@@ -210,8 +214,8 @@ def normal_stress(found: Sequence[Array], nu: Array, scale: Array) -> list[Array
 
 def normal_displacement(found: Sequence[Array], z: Array, nu: Array) -> list[Array]:
     """Away from the axis and into the half-space, of the numbers `DISPLACEMENT`."""
-    with np.errstate(invalid="ignore"):  # at a tip on the surface
-        sunk, sheared = (np.where(z == 0.0, 0.0, z * x) for x in found[:2])
+    with np.errstate(invalid="ignore"):  # at a tip on the surface, and infinitely far away
+        sunk, sheared = (np.where(np.isfinite(z * x), z * x, 0.0) for x in found[:2])
     outward = (1.0 - 2.0 * nu) * found[2] - sheared
     return [-outward / (np.pi * (1.0 - nu)), (2.0 * found[3] + sunk / (1.0 - nu)) / np.pi]
 
