@@ -341,8 +341,8 @@ def _of_polynomial(numbers: Numbers, r: Array, z: Array, piece: Piece) -> Array:
         for distance, count in BETWEEN:
             o = np.flatnonzero(inner & (nodes != NONE) & (away >= distance * (piece.high - piece.low)))
             for some in np.split(o, range(POINTS, o.size, POINTS)):
-                own = [x[some] for x in (r, z, piece.low, piece.high, *piece.parameters)]
-                total[:, some] = _between(numbers, count, *own)
+                there = [x[some] for x in (r, z, piece.low, piece.high, *piece.parameters)]
+                total[:, some] = _between(numbers, count, *there)
             nodes[o] = NONE
         parts.append((-1.0, piece.low, np.where(nodes < 0, NONE, less)))
     rest = np.flatnonzero(nodes == PANELS)
@@ -402,9 +402,10 @@ def _around(numbers: Numbers, count: int, r: Array, z: Array, a: Array, slope: l
 
 def _between(numbers: Numbers, count: int, r: Array, z: Array, low: Array, high: Array, *slope: Array) -> Array:
     nodes, weights = gauss_legendre(count)
-    t = low[:, None] + (high - low)[:, None] * nodes
+    further = (high - low)[:, None] * nodes
+    t = low[:, None] + further
     weight = polynomial(t, *(c[:, None] for c in slope)) * weights * (high - low)[:, None]
-    return _sums(numbers, punch(r[:, None], z[:, None], t, t - r[:, None]), weight)
+    return _sums(numbers, punch(r[:, None], z[:, None], t, (low - r)[:, None] + further), weight)
 
 
 class Panels(NamedTuple):
