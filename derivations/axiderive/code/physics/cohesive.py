@@ -68,21 +68,26 @@ def _states(writer: Writer, opened: str) -> None:
     writer.rule("_radii", [], needs, [*about, *_radii(writer)], returns="Stretch")
     closing = ", ".join(filter(None, ["start, a, control, E_star, dgamma, sigma_0", _largest(writer)]))
     state = [
-        'load = _force_of if control == "force" else _depth_of',
         f"growth = _growth(a, {', '.join(writer.geometry)})",
-        f"return state_near({opened}, growth, lambda q: load(a, q, {given}), {closing})",
+        f"return state_near({opened}, growth, {closing})",
     ]
     writer.rule("_state", ["a", "start"], [*needs, "control"], state, returns="State")
     searched = f"lambda a, start: _state(a, start, {given}, {{}})"
-    pulled = f"return radius_of_pull_off({searched.format('control')}, _radii({given}))"
-    writer.rule("_pull_off_radius", [], [*needs, "control"], [pulled])
+    loaded = f"lambda a, q: {{}}(a, q, {given})"
+    pulled = [
+        'load = _force_of if control == "force" else _depth_of',
+        f"return radius_of_pull_off({searched.format('control')}, {loaded.format('load')}, _radii({given}))",
+    ]
+    writer.rule("_pull_off_radius", [], [*needs, "control"], pulled)
     apart = f"alone({opened}, {{}}, E_star, dgamma, sigma_0)"
     ring = f"parted({opened}, first, E_star, sigma_0)"
     if border := _border(writer):
         ring = f"parted_by({opened}, first, {border}, E_star, sigma_0)"
     writer.rule("_parted", [], needs, [first, f"return {ring}"])
-    zone = f"return either(a > 0.0, lambda: _zone(a, {given}), lambda: np.where(a == 0.0, _parted({given}), np.nan))"
-    writer.rule("_pull_off_zone", ["a"], needs, [zone])
+    # that it is within the profile is known of a radius that was found
+    zone = f"root_of_zone({', '.join(filter(None, [opened, 'a, E_star, dgamma, sigma_0', _largest(writer)]))})"
+    without = f"np.where(a == 0.0, _parted({given}), np.nan)"
+    writer.rule("_pull_off_zone", ["a"], needs, [f"return either(a > 0.0, lambda: {zone}, lambda: {without})"])
     depth = f"return either(a > 0.0, lambda: _depth_of(a, q, {given}), lambda: {apart.format('q')})"
     writer.rule("_pull_off_depth", ["a", "q"], needs, [depth])
     closed = "np.where(depth <= -sunk(c, E_star, sigma_0), {}, np.nan)"
@@ -92,7 +97,7 @@ def _states(writer: Writer, opened: str) -> None:
     for inverse in PHYSICS.searched:
         (field,), load = map(name_of, inverse.arguments), COMPACT[inverse.inverts].function
         states = searched.format(f'"{load}"')
-        found = f"radius_under({states}, {field}, _radii({given}))"
+        found = f"radius_under({states}, {loaded.format(f'_{load}_of')}, {field}, _radii({given}))"
         if load == PARTED:
             held = [
                 f'apart = _pull_off_radius({given}, "{load}") == 0.0',
