@@ -126,17 +126,22 @@ def range_faults(key: str, index: int, conditions: list[str]) -> list[str]:
 
 @cache
 def front_readings() -> list[Line]:
-    """The formulas that stand in front of the book."""
+    """The formulas that stand in front of the book, but for the numbers below the surface."""
     return [
         *front.definitions(stored("rounded_punch"), stored("concave_quartic")),
         *front.functions(),
         *front.stresses(),
-        *fields.numbers(stored),
         *front.rules(stored),
         *front.laws_of_materials(),
         *layer.rules(),
         *(reading for name in PROFILES if name in KEYS for reading in front.master_table(name, stored(name))),
     ]
+
+
+@cache
+def readings_below() -> list[Line]:
+    """The numbers below the surface: letters, formulas of every slope, profiles that are made of them."""
+    return fields.numbers(stored)
 
 
 def panel_readings(name: str) -> list[Line]:

@@ -48,10 +48,18 @@ def test_every_guard_has_a_false_entry() -> None:
 
 
 @pytest.mark.parametrize("name", NEEDED)
-def test_the_false_entry_is_certified_without_its_guard(name: str) -> None:
+def test_the_false_entry_is_refused(name: str) -> None:
+    """For the reason of its guard, and so one that refuses less is seen."""
     build, message = NEEDED[name]
+    assert re.search(message, build()())
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", NEEDED)
+def test_the_false_entry_is_certified_without_its_guard(name: str) -> None:
+    """So that a refusal for the same words that stands elsewhere does not pass for the guard."""
+    build, _ = NEEDED[name]
     claim = build()
-    assert re.search(message, claim())
     with guards.without(known()[name]):
         assert claim() == ""
 

@@ -10,7 +10,7 @@ from collections import Counter
 import mpmath as mp
 import pytest
 from misprints import KINDS, misprints
-from stored_book import KEYS, changed, differs, front_readings, printed, rows
+from stored_book import KEYS, changed, differs, front_readings, printed, readings_below, rows
 
 from axiderive.physics.systems import PRINTED, problem
 from axiderive.rows.row import Row
@@ -113,7 +113,7 @@ def _unsized(tex: str) -> str:
 def test_a_misprint_in_front_does_not_survive() -> None:
     """Of definitions, special functions, laws and the table of profiles."""
     rng = random.Random("misprints in front")
-    for reading in front_readings():
+    for reading in (*front_readings(), *readings_below()):
         for _, tex in itertools.islice(misprints(reading.tex, rng), 2):
             # only the size of a bracket has moved
             if _unsized(tex) == _unsized(reading.tex):

@@ -30,7 +30,9 @@ PROFILES = (
     "truncated_paraboloid", "rounded_cone", "capped_paraboloid", "rounded_punch", "rounded_curved_punch",
     "sphere_tipped_cone", "flat_punch", "capped_cylinder", "concave_power", "concave_paraboloid", "concave_quartic",
 )  # fmt: skip
-ALWAYS = ("cone", "sphere", "truncated_paraboloid", "rounded_curved_punch", "concave_power")
+ALWAYS = (
+    "cone", "sphere", "truncated_paraboloid", "rounded_curved_punch", "concave_power", "concave_paraboloid",
+)  # fmt: skip
 ACCEPTED = ("cone", "power_law", "polynomial", "flat_punch")
 """Those whose formulas are proved once more; the build proves all."""
 SEED = 1882

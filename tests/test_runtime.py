@@ -218,8 +218,11 @@ def test_every_kernel_of_the_catalogue_is_its_function() -> None:
     """To a unit of a double, or of the result of which the kernel is a share; 0.97 units are measured next to zero."""
     found: dict[str, Any] = {}
     exec(kernels(), found)
+    peak, end, bend = (found.pop(name) for name in ("ARC_PEAK", "ARC_END", "ARC_BEND"))
     assert {name for name in found if name.isupper()} == {*certified.KERNELS, *certified.STARTS}
     with mp.workdps(40):
+        assert abs(mp.diff(certified.arc_level, peak)) < EPS
+        assert abs(certified.arc_level(certified.arc_peak() + end) / bend - 1) < EPS
         for name, (_, function, end, *start) in {**certified.KERNELS, **certified.STARTS}.items():
             top, bottom, *rest = found[name]
             assert rest == [float(value) for value in start]

@@ -6,6 +6,7 @@ import ast
 import doctest
 import re
 from collections.abc import Callable, Iterator
+from functools import cache
 from importlib import import_module
 from inspect import getmembers, isfunction, signature
 from math import ceil
@@ -33,8 +34,9 @@ SOLVED = 4e-14
 Call = tuple[list[float], dict[str, Any]]
 
 
+@cache
 def example(function: Callable[..., Any]) -> Call:
-    """The call of the example in a docstring."""
+    """The call of the example in a docstring, read once: properties ask for it at every number they draw."""
     for shown in doctest.DocTestParser().get_examples(function.__doc__ or ""):
         for node in ast.walk(ast.parse(shown.source)):
             if isinstance(node, ast.Call) and getattr(node.func, "attr", "") == function.__name__:
