@@ -766,26 +766,17 @@ def _radii(R1: Array, R2: Array, b: Array, E_star: Array, dgamma: Array, sigma_0
 def _state(
     a: Array, start: Array, R1: Array, R2: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str
 ) -> State:
-    load = _force_of if control == "force" else _depth_of
     growth = _growth(a, R1, R2, b)
-    return state_near(
-        partial(_opened, R1=R1, R2=R2, b=b),
-        growth,
-        lambda q: load(a, q, R1, R2, b, E_star, dgamma, sigma_0),
-        start,
-        a,
-        control,
-        E_star,
-        dgamma,
-        sigma_0,
-    )
+    return state_near(partial(_opened, R1=R1, R2=R2, b=b), growth, start, a, control, E_star, dgamma, sigma_0)
 
 
 def _pull_off_radius(
     R1: Array, R2: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str
 ) -> Array:
+    load = _force_of if control == "force" else _depth_of
     return radius_of_pull_off(
         lambda a, start: _state(a, start, R1, R2, b, E_star, dgamma, sigma_0, control),
+        lambda a, q: load(a, q, R1, R2, b, E_star, dgamma, sigma_0),
         _radii(R1, R2, b, E_star, dgamma, sigma_0),
     )
 
@@ -798,7 +789,7 @@ def _parted(R1: Array, R2: Array, b: Array, E_star: Array, dgamma: Array, sigma_
 def _pull_off_zone(a: Array, R1: Array, R2: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     return either(
         a > 0.0,
-        lambda: _zone(a, R1, R2, b, E_star, dgamma, sigma_0),
+        lambda: root_of_zone(partial(_opened, R1=R1, R2=R2, b=b), a, E_star, dgamma, sigma_0),
         lambda: np.where(a == 0.0, _parted(R1, R2, b, E_star, dgamma, sigma_0), np.nan),
     )
 
@@ -838,6 +829,7 @@ def _held_apart(d: Array, R1: Array, R2: Array, b: Array, E_star: Array, dgamma:
 def _radius_from_depth(d: Array, R1: Array, R2: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     a = radius_under(
         lambda a, start: _state(a, start, R1, R2, b, E_star, dgamma, sigma_0, "depth"),
+        lambda a, q: _depth_of(a, q, R1, R2, b, E_star, dgamma, sigma_0),
         d,
         _radii(R1, R2, b, E_star, dgamma, sigma_0),
     )
@@ -847,6 +839,7 @@ def _radius_from_depth(d: Array, R1: Array, R2: Array, b: Array, E_star: Array, 
 def _radius_from_force(F: Array, R1: Array, R2: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     return radius_under(
         lambda a, start: _state(a, start, R1, R2, b, E_star, dgamma, sigma_0, "force"),
+        lambda a, q: _force_of(a, q, R1, R2, b, E_star, dgamma, sigma_0),
         F,
         _radii(R1, R2, b, E_star, dgamma, sigma_0),
     )

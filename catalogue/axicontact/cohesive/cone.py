@@ -625,24 +625,15 @@ def _radii(theta: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Stretc
 
 
 def _state(a: Array, start: Array, theta: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str) -> State:
-    load = _force_of if control == "force" else _depth_of
     growth = _growth(a, theta)
-    return state_near(
-        partial(_opened, theta=theta),
-        growth,
-        lambda q: load(a, q, theta, E_star, dgamma, sigma_0),
-        start,
-        a,
-        control,
-        E_star,
-        dgamma,
-        sigma_0,
-    )
+    return state_near(partial(_opened, theta=theta), growth, start, a, control, E_star, dgamma, sigma_0)
 
 
 def _pull_off_radius(theta: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str) -> Array:
+    load = _force_of if control == "force" else _depth_of
     return radius_of_pull_off(
         lambda a, start: _state(a, start, theta, E_star, dgamma, sigma_0, control),
+        lambda a, q: load(a, q, theta, E_star, dgamma, sigma_0),
         _radii(theta, E_star, dgamma, sigma_0),
     )
 
@@ -655,7 +646,7 @@ def _parted(theta: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array
 def _pull_off_zone(a: Array, theta: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     return either(
         a > 0.0,
-        lambda: _zone(a, theta, E_star, dgamma, sigma_0),
+        lambda: root_of_zone(partial(_opened, theta=theta), a, E_star, dgamma, sigma_0),
         lambda: np.where(a == 0.0, _parted(theta, E_star, dgamma, sigma_0), np.nan),
     )
 
@@ -687,6 +678,7 @@ def _held_apart(d: Array, theta: Array, E_star: Array, dgamma: Array, sigma_0: A
 def _radius_from_depth(d: Array, theta: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     a = radius_under(
         lambda a, start: _state(a, start, theta, E_star, dgamma, sigma_0, "depth"),
+        lambda a, q: _depth_of(a, q, theta, E_star, dgamma, sigma_0),
         d,
         _radii(theta, E_star, dgamma, sigma_0),
     )
@@ -696,6 +688,7 @@ def _radius_from_depth(d: Array, theta: Array, E_star: Array, dgamma: Array, sig
 def _radius_from_force(F: Array, theta: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     return radius_under(
         lambda a, start: _state(a, start, theta, E_star, dgamma, sigma_0, "force"),
+        lambda a, q: _force_of(a, q, theta, E_star, dgamma, sigma_0),
         F,
         _radii(theta, E_star, dgamma, sigma_0),
     )

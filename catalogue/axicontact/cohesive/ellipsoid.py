@@ -665,25 +665,18 @@ def _radii(h: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> 
 def _state(
     a: Array, start: Array, h: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str
 ) -> State:
-    load = _force_of if control == "force" else _depth_of
     growth = _growth(a, h, b)
     return state_near(
-        partial(_opened, h=h, b=b),
-        growth,
-        lambda q: load(a, q, h, b, E_star, dgamma, sigma_0),
-        start,
-        a,
-        control,
-        E_star,
-        dgamma,
-        sigma_0,
-        difference_root(b, a),
+        partial(_opened, h=h, b=b), growth, start, a, control, E_star, dgamma, sigma_0, difference_root(b, a)
     )
 
 
 def _pull_off_radius(h: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str) -> Array:
+    load = _force_of if control == "force" else _depth_of
     return radius_of_pull_off(
-        lambda a, start: _state(a, start, h, b, E_star, dgamma, sigma_0, control), _radii(h, b, E_star, dgamma, sigma_0)
+        lambda a, start: _state(a, start, h, b, E_star, dgamma, sigma_0, control),
+        lambda a, q: load(a, q, h, b, E_star, dgamma, sigma_0),
+        _radii(h, b, E_star, dgamma, sigma_0),
     )
 
 
@@ -695,7 +688,7 @@ def _parted(h: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) ->
 def _pull_off_zone(a: Array, h: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     return either(
         a > 0.0,
-        lambda: _zone(a, h, b, E_star, dgamma, sigma_0),
+        lambda: root_of_zone(partial(_opened, h=h, b=b), a, E_star, dgamma, sigma_0, difference_root(b, a)),
         lambda: np.where(a == 0.0, _parted(h, b, E_star, dgamma, sigma_0), np.nan),
     )
 
@@ -727,6 +720,7 @@ def _held_apart(d: Array, h: Array, b: Array, E_star: Array, dgamma: Array, sigm
 def _radius_from_depth(d: Array, h: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     a = radius_under(
         lambda a, start: _state(a, start, h, b, E_star, dgamma, sigma_0, "depth"),
+        lambda a, q: _depth_of(a, q, h, b, E_star, dgamma, sigma_0),
         d,
         _radii(h, b, E_star, dgamma, sigma_0),
     )
@@ -736,6 +730,7 @@ def _radius_from_depth(d: Array, h: Array, b: Array, E_star: Array, dgamma: Arra
 def _radius_from_force(F: Array, h: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     return radius_under(
         lambda a, start: _state(a, start, h, b, E_star, dgamma, sigma_0, "force"),
+        lambda a, q: _force_of(a, q, h, b, E_star, dgamma, sigma_0),
         F,
         _radii(h, b, E_star, dgamma, sigma_0),
     )

@@ -668,12 +668,10 @@ def _radii(h: Array, s: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> 
 def _state(
     a: Array, start: Array, h: Array, s: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str
 ) -> State:
-    load = _force_of if control == "force" else _depth_of
     growth = _growth(a, h, s)
     return state_near(
         partial(_opened, h=h, s=s),
         growth,
-        lambda q: load(a, q, h, s, E_star, dgamma, sigma_0),
         start,
         a,
         control,
@@ -685,8 +683,11 @@ def _state(
 
 
 def _pull_off_radius(h: Array, s: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str) -> Array:
+    load = _force_of if control == "force" else _depth_of
     return radius_of_pull_off(
-        lambda a, start: _state(a, start, h, s, E_star, dgamma, sigma_0, control), _radii(h, s, E_star, dgamma, sigma_0)
+        lambda a, start: _state(a, start, h, s, E_star, dgamma, sigma_0, control),
+        lambda a, q: load(a, q, h, s, E_star, dgamma, sigma_0),
+        _radii(h, s, E_star, dgamma, sigma_0),
     )
 
 
@@ -698,7 +699,7 @@ def _parted(h: Array, s: Array, E_star: Array, dgamma: Array, sigma_0: Array) ->
 def _pull_off_zone(a: Array, h: Array, s: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     return either(
         a > 0.0,
-        lambda: _zone(a, h, s, E_star, dgamma, sigma_0),
+        lambda: root_of_zone(partial(_opened, h=h, s=s), a, E_star, dgamma, sigma_0, difference_root(1.5019752682686114 * s, a)),
         lambda: np.where(a == 0.0, _parted(h, s, E_star, dgamma, sigma_0), np.nan),
     )
 
@@ -730,6 +731,7 @@ def _held_apart(d: Array, h: Array, s: Array, E_star: Array, dgamma: Array, sigm
 def _radius_from_depth(d: Array, h: Array, s: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     a = radius_under(
         lambda a, start: _state(a, start, h, s, E_star, dgamma, sigma_0, "depth"),
+        lambda a, q: _depth_of(a, q, h, s, E_star, dgamma, sigma_0),
         d,
         _radii(h, s, E_star, dgamma, sigma_0),
     )
@@ -739,6 +741,7 @@ def _radius_from_depth(d: Array, h: Array, s: Array, E_star: Array, dgamma: Arra
 def _radius_from_force(F: Array, h: Array, s: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     return radius_under(
         lambda a, start: _state(a, start, h, s, E_star, dgamma, sigma_0, "force"),
+        lambda a, q: _force_of(a, q, h, s, E_star, dgamma, sigma_0),
         F,
         _radii(h, s, E_star, dgamma, sigma_0),
     )

@@ -618,24 +618,16 @@ def _radii(R: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Stretch:
 
 
 def _state(a: Array, start: Array, R: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str) -> State:
-    load = _force_of if control == "force" else _depth_of
     growth = _growth(a, R)
-    return state_near(
-        partial(_opened, R=R),
-        growth,
-        lambda q: load(a, q, R, E_star, dgamma, sigma_0),
-        start,
-        a,
-        control,
-        E_star,
-        dgamma,
-        sigma_0,
-    )
+    return state_near(partial(_opened, R=R), growth, start, a, control, E_star, dgamma, sigma_0)
 
 
 def _pull_off_radius(R: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str) -> Array:
+    load = _force_of if control == "force" else _depth_of
     return radius_of_pull_off(
-        lambda a, start: _state(a, start, R, E_star, dgamma, sigma_0, control), _radii(R, E_star, dgamma, sigma_0)
+        lambda a, start: _state(a, start, R, E_star, dgamma, sigma_0, control),
+        lambda a, q: load(a, q, R, E_star, dgamma, sigma_0),
+        _radii(R, E_star, dgamma, sigma_0),
     )
 
 
@@ -647,7 +639,7 @@ def _parted(R: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
 def _pull_off_zone(a: Array, R: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     return either(
         a > 0.0,
-        lambda: _zone(a, R, E_star, dgamma, sigma_0),
+        lambda: root_of_zone(partial(_opened, R=R), a, E_star, dgamma, sigma_0),
         lambda: np.where(a == 0.0, _parted(R, E_star, dgamma, sigma_0), np.nan),
     )
 
@@ -678,12 +670,18 @@ def _held_apart(d: Array, R: Array, E_star: Array, dgamma: Array, sigma_0: Array
 
 def _radius_from_depth(d: Array, R: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     a = radius_under(
-        lambda a, start: _state(a, start, R, E_star, dgamma, sigma_0, "depth"), d, _radii(R, E_star, dgamma, sigma_0)
+        lambda a, start: _state(a, start, R, E_star, dgamma, sigma_0, "depth"),
+        lambda a, q: _depth_of(a, q, R, E_star, dgamma, sigma_0),
+        d,
+        _radii(R, E_star, dgamma, sigma_0),
     )
     return np.where(np.isnan(a), _held_apart(d, R, E_star, dgamma, sigma_0), a)
 
 
 def _radius_from_force(F: Array, R: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     return radius_under(
-        lambda a, start: _state(a, start, R, E_star, dgamma, sigma_0, "force"), F, _radii(R, E_star, dgamma, sigma_0)
+        lambda a, start: _state(a, start, R, E_star, dgamma, sigma_0, "force"),
+        lambda a, q: _force_of(a, q, R, E_star, dgamma, sigma_0),
+        F,
+        _radii(R, E_star, dgamma, sigma_0),
     )

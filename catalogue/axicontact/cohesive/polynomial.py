@@ -654,24 +654,16 @@ def _radii(A: tuple[float, ...], E_star: Array, dgamma: Array, sigma_0: Array) -
 def _state(
     a: Array, start: Array, A: tuple[float, ...], E_star: Array, dgamma: Array, sigma_0: Array, control: str
 ) -> State:
-    load = _force_of if control == "force" else _depth_of
     growth = _growth(a, A)
-    return state_near(
-        partial(_opened, A=A),
-        growth,
-        lambda q: load(a, q, A, E_star, dgamma, sigma_0),
-        start,
-        a,
-        control,
-        E_star,
-        dgamma,
-        sigma_0,
-    )
+    return state_near(partial(_opened, A=A), growth, start, a, control, E_star, dgamma, sigma_0)
 
 
 def _pull_off_radius(A: tuple[float, ...], E_star: Array, dgamma: Array, sigma_0: Array, control: str) -> Array:
+    load = _force_of if control == "force" else _depth_of
     return radius_of_pull_off(
-        lambda a, start: _state(a, start, A, E_star, dgamma, sigma_0, control), _radii(A, E_star, dgamma, sigma_0)
+        lambda a, start: _state(a, start, A, E_star, dgamma, sigma_0, control),
+        lambda a, q: load(a, q, A, E_star, dgamma, sigma_0),
+        _radii(A, E_star, dgamma, sigma_0),
     )
 
 
@@ -683,7 +675,7 @@ def _parted(A: tuple[float, ...], E_star: Array, dgamma: Array, sigma_0: Array) 
 def _pull_off_zone(a: Array, A: tuple[float, ...], E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     return either(
         a > 0.0,
-        lambda: _zone(a, A, E_star, dgamma, sigma_0),
+        lambda: root_of_zone(partial(_opened, A=A), a, E_star, dgamma, sigma_0),
         lambda: np.where(a == 0.0, _parted(A, E_star, dgamma, sigma_0), np.nan),
     )
 
@@ -714,12 +706,18 @@ def _held_apart(d: Array, A: tuple[float, ...], E_star: Array, dgamma: Array, si
 
 def _radius_from_depth(d: Array, A: tuple[float, ...], E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     a = radius_under(
-        lambda a, start: _state(a, start, A, E_star, dgamma, sigma_0, "depth"), d, _radii(A, E_star, dgamma, sigma_0)
+        lambda a, start: _state(a, start, A, E_star, dgamma, sigma_0, "depth"),
+        lambda a, q: _depth_of(a, q, A, E_star, dgamma, sigma_0),
+        d,
+        _radii(A, E_star, dgamma, sigma_0),
     )
     return np.where(np.isnan(a), _held_apart(d, A, E_star, dgamma, sigma_0), a)
 
 
 def _radius_from_force(F: Array, A: tuple[float, ...], E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     return radius_under(
-        lambda a, start: _state(a, start, A, E_star, dgamma, sigma_0, "force"), F, _radii(A, E_star, dgamma, sigma_0)
+        lambda a, start: _state(a, start, A, E_star, dgamma, sigma_0, "force"),
+        lambda a, q: _force_of(a, q, A, E_star, dgamma, sigma_0),
+        F,
+        _radii(A, E_star, dgamma, sigma_0),
     )

@@ -668,24 +668,16 @@ def _radii(A: Array, n: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> 
 def _state(
     a: Array, start: Array, A: Array, n: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str
 ) -> State:
-    load = _force_of if control == "force" else _depth_of
     growth = _growth(a, A, n)
-    return state_near(
-        partial(_opened, A=A, n=n),
-        growth,
-        lambda q: load(a, q, A, n, E_star, dgamma, sigma_0),
-        start,
-        a,
-        control,
-        E_star,
-        dgamma,
-        sigma_0,
-    )
+    return state_near(partial(_opened, A=A, n=n), growth, start, a, control, E_star, dgamma, sigma_0)
 
 
 def _pull_off_radius(A: Array, n: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str) -> Array:
+    load = _force_of if control == "force" else _depth_of
     return radius_of_pull_off(
-        lambda a, start: _state(a, start, A, n, E_star, dgamma, sigma_0, control), _radii(A, n, E_star, dgamma, sigma_0)
+        lambda a, start: _state(a, start, A, n, E_star, dgamma, sigma_0, control),
+        lambda a, q: load(a, q, A, n, E_star, dgamma, sigma_0),
+        _radii(A, n, E_star, dgamma, sigma_0),
     )
 
 
@@ -697,7 +689,7 @@ def _parted(A: Array, n: Array, E_star: Array, dgamma: Array, sigma_0: Array) ->
 def _pull_off_zone(a: Array, A: Array, n: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     return either(
         a > 0.0,
-        lambda: _zone(a, A, n, E_star, dgamma, sigma_0),
+        lambda: root_of_zone(partial(_opened, A=A, n=n), a, E_star, dgamma, sigma_0),
         lambda: np.where(a == 0.0, _parted(A, n, E_star, dgamma, sigma_0), np.nan),
     )
 
@@ -729,6 +721,7 @@ def _held_apart(d: Array, A: Array, n: Array, E_star: Array, dgamma: Array, sigm
 def _radius_from_depth(d: Array, A: Array, n: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     a = radius_under(
         lambda a, start: _state(a, start, A, n, E_star, dgamma, sigma_0, "depth"),
+        lambda a, q: _depth_of(a, q, A, n, E_star, dgamma, sigma_0),
         d,
         _radii(A, n, E_star, dgamma, sigma_0),
     )
@@ -738,6 +731,7 @@ def _radius_from_depth(d: Array, A: Array, n: Array, E_star: Array, dgamma: Arra
 def _radius_from_force(F: Array, A: Array, n: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     return radius_under(
         lambda a, start: _state(a, start, A, n, E_star, dgamma, sigma_0, "force"),
+        lambda a, q: _force_of(a, q, A, n, E_star, dgamma, sigma_0),
         F,
         _radii(A, n, E_star, dgamma, sigma_0),
     )

@@ -679,24 +679,15 @@ def _radii(theta: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array)
 def _state(
     a: Array, start: Array, theta: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str
 ) -> State:
-    load = _force_of if control == "force" else _depth_of
     growth = _growth(a, theta, b)
-    return state_near(
-        partial(_opened, theta=theta, b=b),
-        growth,
-        lambda q: load(a, q, theta, b, E_star, dgamma, sigma_0),
-        start,
-        a,
-        control,
-        E_star,
-        dgamma,
-        sigma_0,
-    )
+    return state_near(partial(_opened, theta=theta, b=b), growth, start, a, control, E_star, dgamma, sigma_0)
 
 
 def _pull_off_radius(theta: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str) -> Array:
+    load = _force_of if control == "force" else _depth_of
     return radius_of_pull_off(
         lambda a, start: _state(a, start, theta, b, E_star, dgamma, sigma_0, control),
+        lambda a, q: load(a, q, theta, b, E_star, dgamma, sigma_0),
         _radii(theta, b, E_star, dgamma, sigma_0),
     )
 
@@ -709,7 +700,7 @@ def _parted(theta: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array
 def _pull_off_zone(a: Array, theta: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     return either(
         a > 0.0,
-        lambda: _zone(a, theta, b, E_star, dgamma, sigma_0),
+        lambda: root_of_zone(partial(_opened, theta=theta, b=b), a, E_star, dgamma, sigma_0),
         lambda: np.where(a == 0.0, _parted(theta, b, E_star, dgamma, sigma_0), np.nan),
     )
 
@@ -743,6 +734,7 @@ def _held_apart(d: Array, theta: Array, b: Array, E_star: Array, dgamma: Array, 
 def _radius_from_depth(d: Array, theta: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     a = radius_under(
         lambda a, start: _state(a, start, theta, b, E_star, dgamma, sigma_0, "depth"),
+        lambda a, q: _depth_of(a, q, theta, b, E_star, dgamma, sigma_0),
         d,
         _radii(theta, b, E_star, dgamma, sigma_0),
     )
@@ -752,6 +744,7 @@ def _radius_from_depth(d: Array, theta: Array, b: Array, E_star: Array, dgamma: 
 def _radius_from_force(F: Array, theta: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     return radius_under(
         lambda a, start: _state(a, start, theta, b, E_star, dgamma, sigma_0, "force"),
+        lambda a, q: _force_of(a, q, theta, b, E_star, dgamma, sigma_0),
         F,
         _radii(theta, b, E_star, dgamma, sigma_0),
     )

@@ -663,24 +663,16 @@ def _radii(R: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> 
 def _state(
     a: Array, start: Array, R: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str
 ) -> State:
-    load = _force_of if control == "force" else _depth_of
     growth = _growth(a, R, b)
-    return state_near(
-        partial(_opened, R=R, b=b),
-        growth,
-        lambda q: load(a, q, R, b, E_star, dgamma, sigma_0),
-        start,
-        a,
-        control,
-        E_star,
-        dgamma,
-        sigma_0,
-    )
+    return state_near(partial(_opened, R=R, b=b), growth, start, a, control, E_star, dgamma, sigma_0)
 
 
 def _pull_off_radius(R: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str) -> Array:
+    load = _force_of if control == "force" else _depth_of
     return radius_of_pull_off(
-        lambda a, start: _state(a, start, R, b, E_star, dgamma, sigma_0, control), _radii(R, b, E_star, dgamma, sigma_0)
+        lambda a, start: _state(a, start, R, b, E_star, dgamma, sigma_0, control),
+        lambda a, q: load(a, q, R, b, E_star, dgamma, sigma_0),
+        _radii(R, b, E_star, dgamma, sigma_0),
     )
 
 
@@ -692,7 +684,7 @@ def _parted(R: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) ->
 def _pull_off_zone(a: Array, R: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     return either(
         a > 0.0,
-        lambda: _zone(a, R, b, E_star, dgamma, sigma_0),
+        lambda: root_of_zone(partial(_opened, R=R, b=b), a, E_star, dgamma, sigma_0),
         lambda: np.where(a == 0.0, _parted(R, b, E_star, dgamma, sigma_0), np.nan),
     )
 
@@ -724,6 +716,7 @@ def _held_apart(d: Array, R: Array, b: Array, E_star: Array, dgamma: Array, sigm
 def _radius_from_depth(d: Array, R: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     a = radius_under(
         lambda a, start: _state(a, start, R, b, E_star, dgamma, sigma_0, "depth"),
+        lambda a, q: _depth_of(a, q, R, b, E_star, dgamma, sigma_0),
         d,
         _radii(R, b, E_star, dgamma, sigma_0),
     )
@@ -733,6 +726,7 @@ def _radius_from_depth(d: Array, R: Array, b: Array, E_star: Array, dgamma: Arra
 def _radius_from_force(F: Array, R: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     return radius_under(
         lambda a, start: _state(a, start, R, b, E_star, dgamma, sigma_0, "force"),
+        lambda a, q: _force_of(a, q, R, b, E_star, dgamma, sigma_0),
         F,
         _radii(R, b, E_star, dgamma, sigma_0),
     )

@@ -184,19 +184,23 @@ def radius_from_force(F, theta, E_star, dgamma, sigma_0):
 def without_contact_depth(c, theta, E_star, dgamma, sigma_0):
     if c.__class__ is theta.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and c > 1e-30 and (c < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
-            v7 = atan2(c, 0.0)
-            v17 = 3.141592653589793 * tan(theta) / 2.0
-            v22 = []
-            for node, weight in RULE_0(v7 / 1.0):
-                v9 = node * v7
-                v10 = 0.0 + v9
-                v20 = v17 * v10 * sin(v10)
-                v22.append(weight * v20)
-            v22 = fsum(v22) * v7
-            v30 = sigma_0 / E_star
-            v34 = 0.6366197723675814 * hypot(0.0, c) * v22 - dgamma / sigma_0 - 1.2732395447351628 * v30 * c
-            if v34 <= -(2.0 * v30 * c):
-                value = v34
+            if c == 0.0:
+                v29 = 0.0
+            else:
+                v8 = atan2(c, 0.0)
+                v18 = 3.141592653589793 * tan(theta) / 2.0
+                v23 = []
+                for node, weight in RULE_0(v8 / 1.0):
+                    v10 = node * v8
+                    v11 = 0.0 + v10
+                    v21 = v18 * v11 * sin(v11)
+                    v23.append(weight * v21)
+                v23 = fsum(v23) * v8
+                v29 = 0.6366197723675814 * hypot(0.0, c) * v23
+            v32 = sigma_0 / E_star
+            v36 = v29 - dgamma / sigma_0 - 1.2732395447351628 * v32 * c
+            if v36 <= -(2.0 * v32 * c):
+                value = v36
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 if value != value and ordinary(c, theta, E_star, dgamma, sigma_0):
@@ -216,17 +220,21 @@ def without_contact_depth(c, theta, E_star, dgamma, sigma_0):
 def without_contact_force(c, theta, E_star, dgamma, sigma_0):
     if c.__class__ is theta.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and c > 1e-30 and (c < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
-            v7 = atan2(c, 0.0)
-            v17 = 3.141592653589793 * tan(theta) / 2.0
-            v22 = []
-            for node, weight in RULE_0(v7 / 1.0):
-                v9 = node * v7
-                v10 = 0.0 + v9
-                v20 = v17 * v10 * sin(v10)
-                v22.append(weight * v20)
-            v22 = fsum(v22) * v7
-            v30 = sigma_0 / E_star
-            if 0.6366197723675814 * hypot(0.0, c) * v22 - dgamma / sigma_0 - 1.2732395447351628 * v30 * c <= -(2.0 * v30 * c):
+            if c == 0.0:
+                v29 = 0.0
+            else:
+                v8 = atan2(c, 0.0)
+                v18 = 3.141592653589793 * tan(theta) / 2.0
+                v23 = []
+                for node, weight in RULE_0(v8 / 1.0):
+                    v10 = node * v8
+                    v11 = 0.0 + v10
+                    v21 = v18 * v11 * sin(v11)
+                    v23.append(weight * v21)
+                v23 = fsum(v23) * v8
+                v29 = 0.6366197723675814 * hypot(0.0, c) * v23
+            v32 = sigma_0 / E_star
+            if v29 - dgamma / sigma_0 - 1.2732395447351628 * v32 * c <= -(2.0 * v32 * c):
                 value = -3.141592653589793 * sigma_0 * c * c
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value

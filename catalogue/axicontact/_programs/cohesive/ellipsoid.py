@@ -244,30 +244,34 @@ def radius_from_force(F, h, b, E_star, dgamma, sigma_0):
 def without_contact_depth(c, h, b, E_star, dgamma, sigma_0):
     if c.__class__ is h.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and c > 1e-30 and (c < 1e+30) and (h > 1e-30) and (h < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
-            v7 = hypot(0.0, c)
-            v9 = b - 0.0
-            v13 = sqrt((v9 if v9 > 0.0 or v9 != v9 else 0.0) * (b + 0.0))
-            v14 = v13 - c
-            v18 = sqrt((v14 if v14 > 0.0 or v14 != v14 else 0.0) * (v13 + c))
-            v20 = asinh(v18 / v7)
-            v21 = v20 > 0.0
-            v23 = v20 if v21 else 1.0
-            v25 = asinh(atan2(c, 0.0) / v23)
-            v37 = h / b
-            v50 = []
-            for node, weight in RULE_0(v25 / 0.7):
-                v27 = node * v25
-                v29 = v23 * sinh(v27)
-                v30 = sin(v29)
-                v32 = v7 * cos(v29)
-                v34 = hypot(v18, v7 * v30)
-                v48 = (v37 * asinh(v32 / v34) + h * v32 / (v34 * v34)) * v23 * cosh(v27) * v29 * v30
-                v50.append(weight * v48)
-            v50 = fsum(v50) * v25
-            v60 = sigma_0 / E_star
-            v64 = (0.6366197723675814 if v21 else inf) * v7 * v50 - dgamma / sigma_0 - 1.2732395447351628 * v60 * c
-            if v64 <= -(2.0 * v60 * c):
-                value = v64
+            if c == 0.0:
+                v59 = 0.0
+            else:
+                v8 = hypot(0.0, c)
+                v10 = b - 0.0
+                v14 = sqrt((v10 if v10 > 0.0 or v10 != v10 else 0.0) * (b + 0.0))
+                v15 = v14 - c
+                v19 = sqrt((v15 if v15 > 0.0 or v15 != v15 else 0.0) * (v14 + c))
+                v21 = asinh(v19 / v8)
+                v22 = v21 > 0.0
+                v24 = v21 if v22 else 1.0
+                v26 = asinh(atan2(c, 0.0) / v24)
+                v38 = h / b
+                v51 = []
+                for node, weight in RULE_0(v26 / 0.7):
+                    v28 = node * v26
+                    v30 = v24 * sinh(v28)
+                    v31 = sin(v30)
+                    v33 = v8 * cos(v30)
+                    v35 = hypot(v19, v8 * v31)
+                    v49 = (v38 * asinh(v33 / v35) + h * v33 / (v35 * v35)) * v24 * cosh(v28) * v30 * v31
+                    v51.append(weight * v49)
+                v51 = fsum(v51) * v26
+                v59 = (0.6366197723675814 if v22 else inf) * v8 * v51
+            v62 = sigma_0 / E_star
+            v66 = v59 - dgamma / sigma_0 - 1.2732395447351628 * v62 * c
+            if v66 <= -(2.0 * v62 * c):
+                value = v66
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 if value != value and ordinary(c, h, b, E_star, dgamma, sigma_0):
@@ -287,28 +291,32 @@ def without_contact_depth(c, h, b, E_star, dgamma, sigma_0):
 def without_contact_force(c, h, b, E_star, dgamma, sigma_0):
     if c.__class__ is h.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and c > 1e-30 and (c < 1e+30) and (h > 1e-30) and (h < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
-            v7 = hypot(0.0, c)
-            v9 = b - 0.0
-            v13 = sqrt((v9 if v9 > 0.0 or v9 != v9 else 0.0) * (b + 0.0))
-            v14 = v13 - c
-            v18 = sqrt((v14 if v14 > 0.0 or v14 != v14 else 0.0) * (v13 + c))
-            v20 = asinh(v18 / v7)
-            v21 = v20 > 0.0
-            v23 = v20 if v21 else 1.0
-            v25 = asinh(atan2(c, 0.0) / v23)
-            v37 = h / b
-            v50 = []
-            for node, weight in RULE_0(v25 / 0.7):
-                v27 = node * v25
-                v29 = v23 * sinh(v27)
-                v30 = sin(v29)
-                v32 = v7 * cos(v29)
-                v34 = hypot(v18, v7 * v30)
-                v48 = (v37 * asinh(v32 / v34) + h * v32 / (v34 * v34)) * v23 * cosh(v27) * v29 * v30
-                v50.append(weight * v48)
-            v50 = fsum(v50) * v25
-            v60 = sigma_0 / E_star
-            if (0.6366197723675814 if v21 else inf) * v7 * v50 - dgamma / sigma_0 - 1.2732395447351628 * v60 * c <= -(2.0 * v60 * c):
+            if c == 0.0:
+                v59 = 0.0
+            else:
+                v8 = hypot(0.0, c)
+                v10 = b - 0.0
+                v14 = sqrt((v10 if v10 > 0.0 or v10 != v10 else 0.0) * (b + 0.0))
+                v15 = v14 - c
+                v19 = sqrt((v15 if v15 > 0.0 or v15 != v15 else 0.0) * (v14 + c))
+                v21 = asinh(v19 / v8)
+                v22 = v21 > 0.0
+                v24 = v21 if v22 else 1.0
+                v26 = asinh(atan2(c, 0.0) / v24)
+                v38 = h / b
+                v51 = []
+                for node, weight in RULE_0(v26 / 0.7):
+                    v28 = node * v26
+                    v30 = v24 * sinh(v28)
+                    v31 = sin(v30)
+                    v33 = v8 * cos(v30)
+                    v35 = hypot(v19, v8 * v31)
+                    v49 = (v38 * asinh(v33 / v35) + h * v33 / (v35 * v35)) * v24 * cosh(v28) * v30 * v31
+                    v51.append(weight * v49)
+                v51 = fsum(v51) * v26
+                v59 = (0.6366197723675814 if v22 else inf) * v8 * v51
+            v62 = sigma_0 / E_star
+            if v59 - dgamma / sigma_0 - 1.2732395447351628 * v62 * c <= -(2.0 * v62 * c):
                 value = -3.141592653589793 * sigma_0 * c * c
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value

@@ -245,29 +245,33 @@ def radius_from_force(F, theta, b, E_star, dgamma, sigma_0):
 def without_contact_depth(c, theta, b, E_star, dgamma, sigma_0):
     if c.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and c > 1e-30 and (c < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
-            v7 = hypot(0.0, c)
-            v10 = asinh(b / v7)
-            v13 = 1.5707963267948966 / v10
-            v14 = atan2(0.0, c) / v10
-            v15 = asinh(v13)
-            v30 = asinh(atan2(c, 0.0) / v10 * (v13 + v14) / (v13 * sqrt(1.0 + v14 * v14) + v14 * sqrt(1.0 + v13 * v13)))
-            v34 = 2.0 * v10
-            v46 = tan(theta)
-            v48 = b * v46
-            v51 = b * b
-            v63 = []
-            for node, weight in RULE_0(v30 / 0.7):
-                v32 = node * v30
-                v36 = 0.5 * v32
-                v41 = v34 * cosh(v15 - v36) * sinh(v36)
-                v43 = v7 * cos(v41)
-                v61 = (v46 * atan(v43 / b) + v48 * v43 / (v43 * v43 + v51)) * v10 * cosh(v15 - v32) * v41 * sin(v41)
-                v63.append(weight * v61)
-            v63 = fsum(v63) * v30
-            v71 = sigma_0 / E_star
-            v75 = 0.6366197723675814 * v7 * v63 - dgamma / sigma_0 - 1.2732395447351628 * v71 * c
-            if v75 <= -(2.0 * v71 * c):
-                value = v75
+            if c == 0.0:
+                v70 = 0.0
+            else:
+                v8 = hypot(0.0, c)
+                v11 = asinh(b / v8)
+                v14 = 1.5707963267948966 / v11
+                v15 = atan2(0.0, c) / v11
+                v16 = asinh(v14)
+                v31 = asinh(atan2(c, 0.0) / v11 * (v14 + v15) / (v14 * sqrt(1.0 + v15 * v15) + v15 * sqrt(1.0 + v14 * v14)))
+                v35 = 2.0 * v11
+                v47 = tan(theta)
+                v49 = b * v47
+                v52 = b * b
+                v64 = []
+                for node, weight in RULE_0(v31 / 0.7):
+                    v33 = node * v31
+                    v37 = 0.5 * v33
+                    v42 = v35 * cosh(v16 - v37) * sinh(v37)
+                    v44 = v8 * cos(v42)
+                    v62 = (v47 * atan(v44 / b) + v49 * v44 / (v44 * v44 + v52)) * v11 * cosh(v16 - v33) * v42 * sin(v42)
+                    v64.append(weight * v62)
+                v64 = fsum(v64) * v31
+                v70 = 0.6366197723675814 * v8 * v64
+            v73 = sigma_0 / E_star
+            v77 = v70 - dgamma / sigma_0 - 1.2732395447351628 * v73 * c
+            if v77 <= -(2.0 * v73 * c):
+                value = v77
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 if value != value and ordinary(c, theta, b, E_star, dgamma, sigma_0):
@@ -287,27 +291,31 @@ def without_contact_depth(c, theta, b, E_star, dgamma, sigma_0):
 def without_contact_force(c, theta, b, E_star, dgamma, sigma_0):
     if c.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and c > 1e-30 and (c < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
-            v7 = hypot(0.0, c)
-            v10 = asinh(b / v7)
-            v13 = 1.5707963267948966 / v10
-            v14 = atan2(0.0, c) / v10
-            v15 = asinh(v13)
-            v30 = asinh(atan2(c, 0.0) / v10 * (v13 + v14) / (v13 * sqrt(1.0 + v14 * v14) + v14 * sqrt(1.0 + v13 * v13)))
-            v34 = 2.0 * v10
-            v46 = tan(theta)
-            v48 = b * v46
-            v51 = b * b
-            v63 = []
-            for node, weight in RULE_0(v30 / 0.7):
-                v32 = node * v30
-                v36 = 0.5 * v32
-                v41 = v34 * cosh(v15 - v36) * sinh(v36)
-                v43 = v7 * cos(v41)
-                v61 = (v46 * atan(v43 / b) + v48 * v43 / (v43 * v43 + v51)) * v10 * cosh(v15 - v32) * v41 * sin(v41)
-                v63.append(weight * v61)
-            v63 = fsum(v63) * v30
-            v71 = sigma_0 / E_star
-            if 0.6366197723675814 * v7 * v63 - dgamma / sigma_0 - 1.2732395447351628 * v71 * c <= -(2.0 * v71 * c):
+            if c == 0.0:
+                v70 = 0.0
+            else:
+                v8 = hypot(0.0, c)
+                v11 = asinh(b / v8)
+                v14 = 1.5707963267948966 / v11
+                v15 = atan2(0.0, c) / v11
+                v16 = asinh(v14)
+                v31 = asinh(atan2(c, 0.0) / v11 * (v14 + v15) / (v14 * sqrt(1.0 + v15 * v15) + v15 * sqrt(1.0 + v14 * v14)))
+                v35 = 2.0 * v11
+                v47 = tan(theta)
+                v49 = b * v47
+                v52 = b * b
+                v64 = []
+                for node, weight in RULE_0(v31 / 0.7):
+                    v33 = node * v31
+                    v37 = 0.5 * v33
+                    v42 = v35 * cosh(v16 - v37) * sinh(v37)
+                    v44 = v8 * cos(v42)
+                    v62 = (v47 * atan(v44 / b) + v49 * v44 / (v44 * v44 + v52)) * v11 * cosh(v16 - v33) * v42 * sin(v42)
+                    v64.append(weight * v62)
+                v64 = fsum(v64) * v31
+                v70 = 0.6366197723675814 * v8 * v64
+            v73 = sigma_0 / E_star
+            if v70 - dgamma / sigma_0 - 1.2732395447351628 * v73 * c <= -(2.0 * v73 * c):
                 value = -3.141592653589793 * sigma_0 * c * c
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value

@@ -184,19 +184,23 @@ def radius_from_force(F, R, E_star, dgamma, sigma_0):
 def without_contact_depth(c, R, E_star, dgamma, sigma_0):
     if c.__class__ is R.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and c > 1e-30 and (c < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
-            v6 = hypot(0.0, c)
-            v7 = atan2(c, 0.0)
-            v20 = []
-            for node, weight in RULE_0(v7 / 1.0):
-                v9 = node * v7
-                v10 = 0.0 + v9
-                v18 = 2.0 * (v6 * cos(v10)) / R * v10 * sin(v10)
-                v20.append(weight * v18)
-            v20 = fsum(v20) * v7
-            v28 = sigma_0 / E_star
-            v32 = 0.6366197723675814 * v6 * v20 - dgamma / sigma_0 - 1.2732395447351628 * v28 * c
-            if v32 <= -(2.0 * v28 * c):
-                value = v32
+            if c == 0.0:
+                v27 = 0.0
+            else:
+                v7 = hypot(0.0, c)
+                v8 = atan2(c, 0.0)
+                v21 = []
+                for node, weight in RULE_0(v8 / 1.0):
+                    v10 = node * v8
+                    v11 = 0.0 + v10
+                    v19 = 2.0 * (v7 * cos(v11)) / R * v11 * sin(v11)
+                    v21.append(weight * v19)
+                v21 = fsum(v21) * v8
+                v27 = 0.6366197723675814 * v7 * v21
+            v30 = sigma_0 / E_star
+            v34 = v27 - dgamma / sigma_0 - 1.2732395447351628 * v30 * c
+            if v34 <= -(2.0 * v30 * c):
+                value = v34
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 if value != value and ordinary(c, R, E_star, dgamma, sigma_0):
@@ -216,17 +220,21 @@ def without_contact_depth(c, R, E_star, dgamma, sigma_0):
 def without_contact_force(c, R, E_star, dgamma, sigma_0):
     if c.__class__ is R.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and c > 1e-30 and (c < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
-            v6 = hypot(0.0, c)
-            v7 = atan2(c, 0.0)
-            v20 = []
-            for node, weight in RULE_0(v7 / 1.0):
-                v9 = node * v7
-                v10 = 0.0 + v9
-                v18 = 2.0 * (v6 * cos(v10)) / R * v10 * sin(v10)
-                v20.append(weight * v18)
-            v20 = fsum(v20) * v7
-            v28 = sigma_0 / E_star
-            if 0.6366197723675814 * v6 * v20 - dgamma / sigma_0 - 1.2732395447351628 * v28 * c <= -(2.0 * v28 * c):
+            if c == 0.0:
+                v27 = 0.0
+            else:
+                v7 = hypot(0.0, c)
+                v8 = atan2(c, 0.0)
+                v21 = []
+                for node, weight in RULE_0(v8 / 1.0):
+                    v10 = node * v8
+                    v11 = 0.0 + v10
+                    v19 = 2.0 * (v7 * cos(v11)) / R * v11 * sin(v11)
+                    v21.append(weight * v19)
+                v21 = fsum(v21) * v8
+                v27 = 0.6366197723675814 * v7 * v21
+            v30 = sigma_0 / E_star
+            if v27 - dgamma / sigma_0 - 1.2732395447351628 * v30 * c <= -(2.0 * v30 * c):
                 value = -3.141592653589793 * sigma_0 * c * c
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value

@@ -260,28 +260,32 @@ def radius_from_force(F, A, n, E_star, dgamma, sigma_0):
 def without_contact_depth(c, A, n, E_star, dgamma, sigma_0):
     if c.__class__ is A.__class__ is n.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and c > 1e-30 and (c < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
-            v7 = hypot(0.0, c)
-            v14 = 40.0 / (n if n < 1.2 or n != n else 1.2)
-            v16 = asinh(inf if inf < v14 or inf != inf else v14)
-            v28 = n / 2.0 + 0.5
-            v30 = v28 + 1.75
-            v34 = (v28 + 0.5) * (v28 + 1.5)
-            v47 = 1.0 / (v30 * v30)
-            v89 = 1.7724538509055159 * n * A * ((v28 * (v28 + 1.0) / v34 if v28 < 1.0 else 1.0 - (v28 + 0.75) / v34) * sqrt(v30) * (1.0 + v47 * (((((((0.01524698625788054 * v47 + 0.5334320651111477) * v47 + 2.250488865813539) * v47 + 2.8612106440066865) * v47 + 1.3794681629043655) * v47 + 0.2596058532893223) * v47 + 0.015624999999999823) / ((((((3.278794792785737 * v47 + 49.328555418276075) * v47 + 167.28648538571198) * v47 + 195.37226190335065) * v47 + 90.69722535867314) * v47 + 16.763212110504565) * v47 + 1.0))))
-            v101 = []
-            for node, weight in RULE_0(v16 / 1.0):
-                v17 = node * v16
-                v18 = sinh(v17)
-                v19 = sinh(v18)
-                v20 = cosh(v18)
-                v21 = v7 / v20
-                v99 = v89 * pow(v21, n) / v21 / v20 * cosh(v17) * atan(v19) * (v19 / v20)
-                v101.append(weight * v99)
-            v101 = fsum(v101) * v16
-            v109 = sigma_0 / E_star
-            v113 = 0.6366197723675814 * v7 * v101 - dgamma / sigma_0 - 1.2732395447351628 * v109 * c
-            if v113 <= -(2.0 * v109 * c):
-                value = v113
+            if c == 0.0:
+                v108 = 0.0
+            else:
+                v8 = hypot(0.0, c)
+                v15 = 40.0 / (n if n < 1.2 or n != n else 1.2)
+                v17 = asinh(inf if inf < v15 or inf != inf else v15)
+                v29 = n / 2.0 + 0.5
+                v31 = v29 + 1.75
+                v35 = (v29 + 0.5) * (v29 + 1.5)
+                v48 = 1.0 / (v31 * v31)
+                v90 = 1.7724538509055159 * n * A * ((v29 * (v29 + 1.0) / v35 if v29 < 1.0 else 1.0 - (v29 + 0.75) / v35) * sqrt(v31) * (1.0 + v48 * (((((((0.01524698625788054 * v48 + 0.5334320651111477) * v48 + 2.250488865813539) * v48 + 2.8612106440066865) * v48 + 1.3794681629043655) * v48 + 0.2596058532893223) * v48 + 0.015624999999999823) / ((((((3.278794792785737 * v48 + 49.328555418276075) * v48 + 167.28648538571198) * v48 + 195.37226190335065) * v48 + 90.69722535867314) * v48 + 16.763212110504565) * v48 + 1.0))))
+                v102 = []
+                for node, weight in RULE_0(v17 / 1.0):
+                    v18 = node * v17
+                    v19 = sinh(v18)
+                    v20 = sinh(v19)
+                    v21 = cosh(v19)
+                    v22 = v8 / v21
+                    v100 = v90 * pow(v22, n) / v22 / v21 * cosh(v18) * atan(v20) * (v20 / v21)
+                    v102.append(weight * v100)
+                v102 = fsum(v102) * v17
+                v108 = 0.6366197723675814 * v8 * v102
+            v111 = sigma_0 / E_star
+            v115 = v108 - dgamma / sigma_0 - 1.2732395447351628 * v111 * c
+            if v115 <= -(2.0 * v111 * c):
+                value = v115
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 if value != value and ordinary(c, A, n, E_star, dgamma, sigma_0):
@@ -301,26 +305,30 @@ def without_contact_depth(c, A, n, E_star, dgamma, sigma_0):
 def without_contact_force(c, A, n, E_star, dgamma, sigma_0):
     if c.__class__ is A.__class__ is n.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and c > 1e-30 and (c < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
-            v7 = hypot(0.0, c)
-            v14 = 40.0 / (n if n < 1.2 or n != n else 1.2)
-            v16 = asinh(inf if inf < v14 or inf != inf else v14)
-            v28 = n / 2.0 + 0.5
-            v30 = v28 + 1.75
-            v34 = (v28 + 0.5) * (v28 + 1.5)
-            v47 = 1.0 / (v30 * v30)
-            v89 = 1.7724538509055159 * n * A * ((v28 * (v28 + 1.0) / v34 if v28 < 1.0 else 1.0 - (v28 + 0.75) / v34) * sqrt(v30) * (1.0 + v47 * (((((((0.01524698625788054 * v47 + 0.5334320651111477) * v47 + 2.250488865813539) * v47 + 2.8612106440066865) * v47 + 1.3794681629043655) * v47 + 0.2596058532893223) * v47 + 0.015624999999999823) / ((((((3.278794792785737 * v47 + 49.328555418276075) * v47 + 167.28648538571198) * v47 + 195.37226190335065) * v47 + 90.69722535867314) * v47 + 16.763212110504565) * v47 + 1.0))))
-            v101 = []
-            for node, weight in RULE_0(v16 / 1.0):
-                v17 = node * v16
-                v18 = sinh(v17)
-                v19 = sinh(v18)
-                v20 = cosh(v18)
-                v21 = v7 / v20
-                v99 = v89 * pow(v21, n) / v21 / v20 * cosh(v17) * atan(v19) * (v19 / v20)
-                v101.append(weight * v99)
-            v101 = fsum(v101) * v16
-            v109 = sigma_0 / E_star
-            if 0.6366197723675814 * v7 * v101 - dgamma / sigma_0 - 1.2732395447351628 * v109 * c <= -(2.0 * v109 * c):
+            if c == 0.0:
+                v108 = 0.0
+            else:
+                v8 = hypot(0.0, c)
+                v15 = 40.0 / (n if n < 1.2 or n != n else 1.2)
+                v17 = asinh(inf if inf < v15 or inf != inf else v15)
+                v29 = n / 2.0 + 0.5
+                v31 = v29 + 1.75
+                v35 = (v29 + 0.5) * (v29 + 1.5)
+                v48 = 1.0 / (v31 * v31)
+                v90 = 1.7724538509055159 * n * A * ((v29 * (v29 + 1.0) / v35 if v29 < 1.0 else 1.0 - (v29 + 0.75) / v35) * sqrt(v31) * (1.0 + v48 * (((((((0.01524698625788054 * v48 + 0.5334320651111477) * v48 + 2.250488865813539) * v48 + 2.8612106440066865) * v48 + 1.3794681629043655) * v48 + 0.2596058532893223) * v48 + 0.015624999999999823) / ((((((3.278794792785737 * v48 + 49.328555418276075) * v48 + 167.28648538571198) * v48 + 195.37226190335065) * v48 + 90.69722535867314) * v48 + 16.763212110504565) * v48 + 1.0))))
+                v102 = []
+                for node, weight in RULE_0(v17 / 1.0):
+                    v18 = node * v17
+                    v19 = sinh(v18)
+                    v20 = sinh(v19)
+                    v21 = cosh(v19)
+                    v22 = v8 / v21
+                    v100 = v90 * pow(v22, n) / v22 / v21 * cosh(v18) * atan(v20) * (v20 / v21)
+                    v102.append(weight * v100)
+                v102 = fsum(v102) * v17
+                v108 = 0.6366197723675814 * v8 * v102
+            v111 = sigma_0 / E_star
+            if v108 - dgamma / sigma_0 - 1.2732395447351628 * v111 * c <= -(2.0 * v111 * c):
                 value = -3.141592653589793 * sigma_0 * c * c
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value

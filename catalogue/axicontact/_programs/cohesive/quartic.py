@@ -184,21 +184,25 @@ def radius_from_force(F, A, E_star, dgamma, sigma_0):
 def without_contact_depth(c, A, E_star, dgamma, sigma_0):
     if c.__class__ is A.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and c > 1e-30 and (c < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
-            v6 = hypot(0.0, c)
-            v7 = atan2(c, 0.0)
-            v16 = 32.0 * A / 3.0
-            v25 = []
-            for node, weight in RULE_0(v7 / 1.0):
-                v9 = node * v7
-                v10 = 0.0 + v9
-                v12 = v6 * cos(v10)
-                v23 = v16 * (v12 * (v12 * v12)) * v10 * sin(v10)
-                v25.append(weight * v23)
-            v25 = fsum(v25) * v7
-            v33 = sigma_0 / E_star
-            v37 = 0.6366197723675814 * v6 * v25 - dgamma / sigma_0 - 1.2732395447351628 * v33 * c
-            if v37 <= -(2.0 * v33 * c):
-                value = v37
+            if c == 0.0:
+                v32 = 0.0
+            else:
+                v7 = hypot(0.0, c)
+                v8 = atan2(c, 0.0)
+                v17 = 32.0 * A / 3.0
+                v26 = []
+                for node, weight in RULE_0(v8 / 1.0):
+                    v10 = node * v8
+                    v11 = 0.0 + v10
+                    v13 = v7 * cos(v11)
+                    v24 = v17 * (v13 * (v13 * v13)) * v11 * sin(v11)
+                    v26.append(weight * v24)
+                v26 = fsum(v26) * v8
+                v32 = 0.6366197723675814 * v7 * v26
+            v35 = sigma_0 / E_star
+            v39 = v32 - dgamma / sigma_0 - 1.2732395447351628 * v35 * c
+            if v39 <= -(2.0 * v35 * c):
+                value = v39
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 if value != value and ordinary(c, A, E_star, dgamma, sigma_0):
@@ -218,19 +222,23 @@ def without_contact_depth(c, A, E_star, dgamma, sigma_0):
 def without_contact_force(c, A, E_star, dgamma, sigma_0):
     if c.__class__ is A.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and c > 1e-30 and (c < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
-            v6 = hypot(0.0, c)
-            v7 = atan2(c, 0.0)
-            v16 = 32.0 * A / 3.0
-            v25 = []
-            for node, weight in RULE_0(v7 / 1.0):
-                v9 = node * v7
-                v10 = 0.0 + v9
-                v12 = v6 * cos(v10)
-                v23 = v16 * (v12 * (v12 * v12)) * v10 * sin(v10)
-                v25.append(weight * v23)
-            v25 = fsum(v25) * v7
-            v33 = sigma_0 / E_star
-            if 0.6366197723675814 * v6 * v25 - dgamma / sigma_0 - 1.2732395447351628 * v33 * c <= -(2.0 * v33 * c):
+            if c == 0.0:
+                v32 = 0.0
+            else:
+                v7 = hypot(0.0, c)
+                v8 = atan2(c, 0.0)
+                v17 = 32.0 * A / 3.0
+                v26 = []
+                for node, weight in RULE_0(v8 / 1.0):
+                    v10 = node * v8
+                    v11 = 0.0 + v10
+                    v13 = v7 * cos(v11)
+                    v24 = v17 * (v13 * (v13 * v13)) * v11 * sin(v11)
+                    v26.append(weight * v24)
+                v26 = fsum(v26) * v8
+                v32 = 0.6366197723675814 * v7 * v26
+            v35 = sigma_0 / E_star
+            if v32 - dgamma / sigma_0 - 1.2732395447351628 * v35 * c <= -(2.0 * v35 * c):
                 value = -3.141592653589793 * sigma_0 * c * c
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value

@@ -220,58 +220,62 @@ def radius_from_force(F, theta, b, E_star, dgamma, sigma_0):
 def without_contact_depth(c, theta, b, E_star, dgamma, sigma_0):
     if c.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and c > 1e-30 and (c < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
-            v7 = hypot(0.0, c)
-            v8 = atan2(c, 0.0)
-            v9 = 0.0 < b
-            v10 = b - 0.0
-            v14 = sqrt((v10 if v10 > 0.0 or v10 != v10 else 0.0) * (b + 0.0))
-            v15 = c - v14
-            v19 = sqrt((v15 if v15 > 0.0 or v15 != v15 else 0.0) * (c + v14))
-            if v9:
-                v24 = (atan2(v19 if v9 else c, b) if v9 else v8) if v7 > b else 0.0
-                v26 = v24 if v24 < v8 or v24 != v24 else v8
+            if c == 0.0:
+                v125 = 0.0
             else:
-                v26 = v8
-            v27 = v8 - v26
-            v35 = tan(theta)
-            v38 = 2.0 * v35 / b
-            v44 = []
-            for node, weight in RULE_0(v27 / 1.0):
-                v29 = node * v27
-                v30 = v26 + v29
-                v33 = abs(v7 * cos(v30))
-                v42 = v38 * (v33 if v33 < b or v33 != v33 else b) * v30 * sin(v30)
-                v44.append(weight * v42)
-            v44 = fsum(v44) * v27
-            v50 = 0.0 - b
-            v54 = sqrt((v50 if v50 > 0.0 or v50 != v50 else 0.0) * (0.0 + b))
-            v56 = v19 if v9 else hypot(v54, c)
-            v57 = v56 if v9 else c
-            v59 = v56 if v57 > 0.0 else b
-            v61 = asinh(b / v59)
-            v65 = 1.5707963267948966 / v61
-            v66 = atan2(v54, v57) / v61
-            v67 = asinh(v65)
-            v81 = asinh(atan2(v57, v54) / v61 * (v65 + v66) / (v65 * sqrt(1.0 + v66 * v66) + v66 * sqrt(1.0 + v65 * v65)))
-            v83 = 2.0 * v61
-            v97 = b * b
-            v103 = 2.0 * b
-            v118 = []
-            for node, weight in RULE_1(v81 / 1.0):
-                v82 = node * v81
-                v85 = 0.5 * v82
-                v90 = v83 * cosh(v67 - v85) * sinh(v85)
-                v91 = cos(v90)
-                v94 = v59 * (v91 if v91 > 1e-17 or v91 != v91 else 1e-17)
-                v96 = v59 * sin(v90)
-                v100 = sqrt(v97 + v94 * v94)
-                v116 = v35 * (atan(v94 / b) + v103 / (v94 + v100)) * v94 * v61 * cosh(v67 - v82) * atan2(v96, v100) * (v96 / v100)
-                v118.append(weight * v116)
-            v118 = fsum(v118) * v81
-            v126 = sigma_0 / E_star
-            v130 = 0.6366197723675814 * v7 * v44 + 0.6366197723675814 * v118 - dgamma / sigma_0 - 1.2732395447351628 * v126 * c
-            if v130 <= -(2.0 * v126 * c):
-                value = v130
+                v8 = hypot(0.0, c)
+                v9 = atan2(c, 0.0)
+                v10 = 0.0 < b
+                v11 = b - 0.0
+                v15 = sqrt((v11 if v11 > 0.0 or v11 != v11 else 0.0) * (b + 0.0))
+                v16 = c - v15
+                v20 = sqrt((v16 if v16 > 0.0 or v16 != v16 else 0.0) * (c + v15))
+                if v10:
+                    v25 = (atan2(v20 if v10 else c, b) if v10 else v9) if v8 > b else 0.0
+                    v27 = v25 if v25 < v9 or v25 != v25 else v9
+                else:
+                    v27 = v9
+                v28 = v9 - v27
+                v36 = tan(theta)
+                v39 = 2.0 * v36 / b
+                v45 = []
+                for node, weight in RULE_0(v28 / 1.0):
+                    v30 = node * v28
+                    v31 = v27 + v30
+                    v34 = abs(v8 * cos(v31))
+                    v43 = v39 * (v34 if v34 < b or v34 != v34 else b) * v31 * sin(v31)
+                    v45.append(weight * v43)
+                v45 = fsum(v45) * v28
+                v51 = 0.0 - b
+                v55 = sqrt((v51 if v51 > 0.0 or v51 != v51 else 0.0) * (0.0 + b))
+                v57 = v20 if v10 else hypot(v55, c)
+                v58 = v57 if v10 else c
+                v60 = v57 if v58 > 0.0 else b
+                v62 = asinh(b / v60)
+                v66 = 1.5707963267948966 / v62
+                v67 = atan2(v55, v58) / v62
+                v68 = asinh(v66)
+                v82 = asinh(atan2(v58, v55) / v62 * (v66 + v67) / (v66 * sqrt(1.0 + v67 * v67) + v67 * sqrt(1.0 + v66 * v66)))
+                v84 = 2.0 * v62
+                v98 = b * b
+                v104 = 2.0 * b
+                v119 = []
+                for node, weight in RULE_1(v82 / 1.0):
+                    v83 = node * v82
+                    v86 = 0.5 * v83
+                    v91 = v84 * cosh(v68 - v86) * sinh(v86)
+                    v92 = cos(v91)
+                    v95 = v60 * (v92 if v92 > 1e-17 or v92 != v92 else 1e-17)
+                    v97 = v60 * sin(v91)
+                    v101 = sqrt(v98 + v95 * v95)
+                    v117 = v36 * (atan(v95 / b) + v104 / (v95 + v101)) * v95 * v62 * cosh(v68 - v83) * atan2(v97, v101) * (v97 / v101)
+                    v119.append(weight * v117)
+                v119 = fsum(v119) * v82
+                v125 = 0.6366197723675814 * v8 * v45 + 0.6366197723675814 * v119
+            v128 = sigma_0 / E_star
+            v132 = v125 - dgamma / sigma_0 - 1.2732395447351628 * v128 * c
+            if v132 <= -(2.0 * v128 * c):
+                value = v132
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 if value != value and ordinary(c, theta, b, E_star, dgamma, sigma_0):
@@ -291,56 +295,60 @@ def without_contact_depth(c, theta, b, E_star, dgamma, sigma_0):
 def without_contact_force(c, theta, b, E_star, dgamma, sigma_0):
     if c.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and c > 1e-30 and (c < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
-            v7 = hypot(0.0, c)
-            v8 = atan2(c, 0.0)
-            v9 = 0.0 < b
-            v10 = b - 0.0
-            v14 = sqrt((v10 if v10 > 0.0 or v10 != v10 else 0.0) * (b + 0.0))
-            v15 = c - v14
-            v19 = sqrt((v15 if v15 > 0.0 or v15 != v15 else 0.0) * (c + v14))
-            if v9:
-                v24 = (atan2(v19 if v9 else c, b) if v9 else v8) if v7 > b else 0.0
-                v26 = v24 if v24 < v8 or v24 != v24 else v8
+            if c == 0.0:
+                v125 = 0.0
             else:
-                v26 = v8
-            v27 = v8 - v26
-            v35 = tan(theta)
-            v38 = 2.0 * v35 / b
-            v44 = []
-            for node, weight in RULE_0(v27 / 1.0):
-                v29 = node * v27
-                v30 = v26 + v29
-                v33 = abs(v7 * cos(v30))
-                v42 = v38 * (v33 if v33 < b or v33 != v33 else b) * v30 * sin(v30)
-                v44.append(weight * v42)
-            v44 = fsum(v44) * v27
-            v50 = 0.0 - b
-            v54 = sqrt((v50 if v50 > 0.0 or v50 != v50 else 0.0) * (0.0 + b))
-            v56 = v19 if v9 else hypot(v54, c)
-            v57 = v56 if v9 else c
-            v59 = v56 if v57 > 0.0 else b
-            v61 = asinh(b / v59)
-            v65 = 1.5707963267948966 / v61
-            v66 = atan2(v54, v57) / v61
-            v67 = asinh(v65)
-            v81 = asinh(atan2(v57, v54) / v61 * (v65 + v66) / (v65 * sqrt(1.0 + v66 * v66) + v66 * sqrt(1.0 + v65 * v65)))
-            v83 = 2.0 * v61
-            v97 = b * b
-            v103 = 2.0 * b
-            v118 = []
-            for node, weight in RULE_1(v81 / 1.0):
-                v82 = node * v81
-                v85 = 0.5 * v82
-                v90 = v83 * cosh(v67 - v85) * sinh(v85)
-                v91 = cos(v90)
-                v94 = v59 * (v91 if v91 > 1e-17 or v91 != v91 else 1e-17)
-                v96 = v59 * sin(v90)
-                v100 = sqrt(v97 + v94 * v94)
-                v116 = v35 * (atan(v94 / b) + v103 / (v94 + v100)) * v94 * v61 * cosh(v67 - v82) * atan2(v96, v100) * (v96 / v100)
-                v118.append(weight * v116)
-            v118 = fsum(v118) * v81
-            v126 = sigma_0 / E_star
-            if 0.6366197723675814 * v7 * v44 + 0.6366197723675814 * v118 - dgamma / sigma_0 - 1.2732395447351628 * v126 * c <= -(2.0 * v126 * c):
+                v8 = hypot(0.0, c)
+                v9 = atan2(c, 0.0)
+                v10 = 0.0 < b
+                v11 = b - 0.0
+                v15 = sqrt((v11 if v11 > 0.0 or v11 != v11 else 0.0) * (b + 0.0))
+                v16 = c - v15
+                v20 = sqrt((v16 if v16 > 0.0 or v16 != v16 else 0.0) * (c + v15))
+                if v10:
+                    v25 = (atan2(v20 if v10 else c, b) if v10 else v9) if v8 > b else 0.0
+                    v27 = v25 if v25 < v9 or v25 != v25 else v9
+                else:
+                    v27 = v9
+                v28 = v9 - v27
+                v36 = tan(theta)
+                v39 = 2.0 * v36 / b
+                v45 = []
+                for node, weight in RULE_0(v28 / 1.0):
+                    v30 = node * v28
+                    v31 = v27 + v30
+                    v34 = abs(v8 * cos(v31))
+                    v43 = v39 * (v34 if v34 < b or v34 != v34 else b) * v31 * sin(v31)
+                    v45.append(weight * v43)
+                v45 = fsum(v45) * v28
+                v51 = 0.0 - b
+                v55 = sqrt((v51 if v51 > 0.0 or v51 != v51 else 0.0) * (0.0 + b))
+                v57 = v20 if v10 else hypot(v55, c)
+                v58 = v57 if v10 else c
+                v60 = v57 if v58 > 0.0 else b
+                v62 = asinh(b / v60)
+                v66 = 1.5707963267948966 / v62
+                v67 = atan2(v55, v58) / v62
+                v68 = asinh(v66)
+                v82 = asinh(atan2(v58, v55) / v62 * (v66 + v67) / (v66 * sqrt(1.0 + v67 * v67) + v67 * sqrt(1.0 + v66 * v66)))
+                v84 = 2.0 * v62
+                v98 = b * b
+                v104 = 2.0 * b
+                v119 = []
+                for node, weight in RULE_1(v82 / 1.0):
+                    v83 = node * v82
+                    v86 = 0.5 * v83
+                    v91 = v84 * cosh(v68 - v86) * sinh(v86)
+                    v92 = cos(v91)
+                    v95 = v60 * (v92 if v92 > 1e-17 or v92 != v92 else 1e-17)
+                    v97 = v60 * sin(v91)
+                    v101 = sqrt(v98 + v95 * v95)
+                    v117 = v36 * (atan(v95 / b) + v104 / (v95 + v101)) * v95 * v62 * cosh(v68 - v83) * atan2(v97, v101) * (v97 / v101)
+                    v119.append(weight * v117)
+                v119 = fsum(v119) * v82
+                v125 = 0.6366197723675814 * v8 * v45 + 0.6366197723675814 * v119
+            v128 = sigma_0 / E_star
+            if v125 - dgamma / sigma_0 - 1.2732395447351628 * v128 * c <= -(2.0 * v128 * c):
                 value = -3.141592653589793 * sigma_0 * c * c
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value

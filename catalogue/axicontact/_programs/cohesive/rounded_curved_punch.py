@@ -273,56 +273,60 @@ def radius_from_force(F, R1, R2, b, E_star, dgamma, sigma_0):
 def without_contact_depth(c, R1, R2, b, E_star, dgamma, sigma_0):
     if c.__class__ is R1.__class__ is R2.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and c > 1e-30 and (c < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
-            v8 = hypot(0.0, c)
-            v9 = atan2(c, 0.0)
-            v10 = 0.0 < b
-            v11 = b - 0.0
-            v15 = sqrt((v11 if v11 > 0.0 or v11 != v11 else 0.0) * (b + 0.0))
-            v16 = c - v15
-            v20 = sqrt((v16 if v16 > 0.0 or v16 != v16 else 0.0) * (c + v15))
-            if v10:
-                v25 = (atan2(v20 if v10 else c, b) if v10 else v9) if v8 > b else 0.0
-                v27 = v25 if v25 < v9 or v25 != v25 else v9
+            if c == 0.0:
+                v126 = 0.0
             else:
-                v27 = v9
-            v28 = v9 - v27
-            v43 = []
-            for node, weight in RULE_0(v28 / 1.0):
-                v30 = node * v28
-                v31 = v27 + v30
-                v34 = abs(v8 * cos(v31))
-                v41 = 2.0 * (v34 if v34 < b or v34 != v34 else b) / R1 * v31 * sin(v31)
-                v43.append(weight * v41)
-            v43 = fsum(v43) * v28
-            v49 = 0.0 - b
-            v53 = sqrt((v49 if v49 > 0.0 or v49 != v49 else 0.0) * (0.0 + b))
-            v55 = v20 if v10 else hypot(v53, c)
-            v56 = v55 if v10 else c
-            v58 = v55 if v56 > 0.0 else b
-            v60 = asinh(b / v58)
-            v64 = 1.5707963267948966 / v60
-            v65 = atan2(v53, v56) / v60
-            v66 = asinh(v64)
-            v80 = asinh(atan2(v56, v53) / v60 * (v64 + v65) / (v64 * sqrt(1.0 + v65 * v65) + v65 * sqrt(1.0 + v64 * v64)))
-            v82 = 2.0 * v60
-            v96 = b * b
-            v106 = b / R2
-            v119 = []
-            for node, weight in RULE_1(v80 / 1.0):
-                v81 = node * v80
-                v84 = 0.5 * v81
-                v89 = v82 * cosh(v66 - v84) * sinh(v84)
-                v90 = cos(v89)
-                v93 = v58 * (v90 if v90 > 1e-17 or v90 != v90 else 1e-17)
-                v95 = v58 * sin(v89)
-                v99 = sqrt(v96 + v93 * v93)
-                v117 = (2.0 * v99 / R1 + 2.0 * v93 / R2 - v106 * atan2(v93, b)) * v93 * v60 * cosh(v66 - v81) * atan2(v95, v99) * (v95 / v99)
-                v119.append(weight * v117)
-            v119 = fsum(v119) * v80
-            v127 = sigma_0 / E_star
-            v131 = 0.6366197723675814 * v8 * v43 + 0.6366197723675814 * v119 - dgamma / sigma_0 - 1.2732395447351628 * v127 * c
-            if v131 <= -(2.0 * v127 * c):
-                value = v131
+                v9 = hypot(0.0, c)
+                v10 = atan2(c, 0.0)
+                v11 = 0.0 < b
+                v12 = b - 0.0
+                v16 = sqrt((v12 if v12 > 0.0 or v12 != v12 else 0.0) * (b + 0.0))
+                v17 = c - v16
+                v21 = sqrt((v17 if v17 > 0.0 or v17 != v17 else 0.0) * (c + v16))
+                if v11:
+                    v26 = (atan2(v21 if v11 else c, b) if v11 else v10) if v9 > b else 0.0
+                    v28 = v26 if v26 < v10 or v26 != v26 else v10
+                else:
+                    v28 = v10
+                v29 = v10 - v28
+                v44 = []
+                for node, weight in RULE_0(v29 / 1.0):
+                    v31 = node * v29
+                    v32 = v28 + v31
+                    v35 = abs(v9 * cos(v32))
+                    v42 = 2.0 * (v35 if v35 < b or v35 != v35 else b) / R1 * v32 * sin(v32)
+                    v44.append(weight * v42)
+                v44 = fsum(v44) * v29
+                v50 = 0.0 - b
+                v54 = sqrt((v50 if v50 > 0.0 or v50 != v50 else 0.0) * (0.0 + b))
+                v56 = v21 if v11 else hypot(v54, c)
+                v57 = v56 if v11 else c
+                v59 = v56 if v57 > 0.0 else b
+                v61 = asinh(b / v59)
+                v65 = 1.5707963267948966 / v61
+                v66 = atan2(v54, v57) / v61
+                v67 = asinh(v65)
+                v81 = asinh(atan2(v57, v54) / v61 * (v65 + v66) / (v65 * sqrt(1.0 + v66 * v66) + v66 * sqrt(1.0 + v65 * v65)))
+                v83 = 2.0 * v61
+                v97 = b * b
+                v107 = b / R2
+                v120 = []
+                for node, weight in RULE_1(v81 / 1.0):
+                    v82 = node * v81
+                    v85 = 0.5 * v82
+                    v90 = v83 * cosh(v67 - v85) * sinh(v85)
+                    v91 = cos(v90)
+                    v94 = v59 * (v91 if v91 > 1e-17 or v91 != v91 else 1e-17)
+                    v96 = v59 * sin(v90)
+                    v100 = sqrt(v97 + v94 * v94)
+                    v118 = (2.0 * v100 / R1 + 2.0 * v94 / R2 - v107 * atan2(v94, b)) * v94 * v61 * cosh(v67 - v82) * atan2(v96, v100) * (v96 / v100)
+                    v120.append(weight * v118)
+                v120 = fsum(v120) * v81
+                v126 = 0.6366197723675814 * v9 * v44 + 0.6366197723675814 * v120
+            v129 = sigma_0 / E_star
+            v133 = v126 - dgamma / sigma_0 - 1.2732395447351628 * v129 * c
+            if v133 <= -(2.0 * v129 * c):
+                value = v133
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 if value != value and ordinary(c, R1, R2, b, E_star, dgamma, sigma_0):
@@ -342,54 +346,58 @@ def without_contact_depth(c, R1, R2, b, E_star, dgamma, sigma_0):
 def without_contact_force(c, R1, R2, b, E_star, dgamma, sigma_0):
     if c.__class__ is R1.__class__ is R2.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and c > 1e-30 and (c < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
-            v8 = hypot(0.0, c)
-            v9 = atan2(c, 0.0)
-            v10 = 0.0 < b
-            v11 = b - 0.0
-            v15 = sqrt((v11 if v11 > 0.0 or v11 != v11 else 0.0) * (b + 0.0))
-            v16 = c - v15
-            v20 = sqrt((v16 if v16 > 0.0 or v16 != v16 else 0.0) * (c + v15))
-            if v10:
-                v25 = (atan2(v20 if v10 else c, b) if v10 else v9) if v8 > b else 0.0
-                v27 = v25 if v25 < v9 or v25 != v25 else v9
+            if c == 0.0:
+                v126 = 0.0
             else:
-                v27 = v9
-            v28 = v9 - v27
-            v43 = []
-            for node, weight in RULE_0(v28 / 1.0):
-                v30 = node * v28
-                v31 = v27 + v30
-                v34 = abs(v8 * cos(v31))
-                v41 = 2.0 * (v34 if v34 < b or v34 != v34 else b) / R1 * v31 * sin(v31)
-                v43.append(weight * v41)
-            v43 = fsum(v43) * v28
-            v49 = 0.0 - b
-            v53 = sqrt((v49 if v49 > 0.0 or v49 != v49 else 0.0) * (0.0 + b))
-            v55 = v20 if v10 else hypot(v53, c)
-            v56 = v55 if v10 else c
-            v58 = v55 if v56 > 0.0 else b
-            v60 = asinh(b / v58)
-            v64 = 1.5707963267948966 / v60
-            v65 = atan2(v53, v56) / v60
-            v66 = asinh(v64)
-            v80 = asinh(atan2(v56, v53) / v60 * (v64 + v65) / (v64 * sqrt(1.0 + v65 * v65) + v65 * sqrt(1.0 + v64 * v64)))
-            v82 = 2.0 * v60
-            v96 = b * b
-            v106 = b / R2
-            v119 = []
-            for node, weight in RULE_1(v80 / 1.0):
-                v81 = node * v80
-                v84 = 0.5 * v81
-                v89 = v82 * cosh(v66 - v84) * sinh(v84)
-                v90 = cos(v89)
-                v93 = v58 * (v90 if v90 > 1e-17 or v90 != v90 else 1e-17)
-                v95 = v58 * sin(v89)
-                v99 = sqrt(v96 + v93 * v93)
-                v117 = (2.0 * v99 / R1 + 2.0 * v93 / R2 - v106 * atan2(v93, b)) * v93 * v60 * cosh(v66 - v81) * atan2(v95, v99) * (v95 / v99)
-                v119.append(weight * v117)
-            v119 = fsum(v119) * v80
-            v127 = sigma_0 / E_star
-            if 0.6366197723675814 * v8 * v43 + 0.6366197723675814 * v119 - dgamma / sigma_0 - 1.2732395447351628 * v127 * c <= -(2.0 * v127 * c):
+                v9 = hypot(0.0, c)
+                v10 = atan2(c, 0.0)
+                v11 = 0.0 < b
+                v12 = b - 0.0
+                v16 = sqrt((v12 if v12 > 0.0 or v12 != v12 else 0.0) * (b + 0.0))
+                v17 = c - v16
+                v21 = sqrt((v17 if v17 > 0.0 or v17 != v17 else 0.0) * (c + v16))
+                if v11:
+                    v26 = (atan2(v21 if v11 else c, b) if v11 else v10) if v9 > b else 0.0
+                    v28 = v26 if v26 < v10 or v26 != v26 else v10
+                else:
+                    v28 = v10
+                v29 = v10 - v28
+                v44 = []
+                for node, weight in RULE_0(v29 / 1.0):
+                    v31 = node * v29
+                    v32 = v28 + v31
+                    v35 = abs(v9 * cos(v32))
+                    v42 = 2.0 * (v35 if v35 < b or v35 != v35 else b) / R1 * v32 * sin(v32)
+                    v44.append(weight * v42)
+                v44 = fsum(v44) * v29
+                v50 = 0.0 - b
+                v54 = sqrt((v50 if v50 > 0.0 or v50 != v50 else 0.0) * (0.0 + b))
+                v56 = v21 if v11 else hypot(v54, c)
+                v57 = v56 if v11 else c
+                v59 = v56 if v57 > 0.0 else b
+                v61 = asinh(b / v59)
+                v65 = 1.5707963267948966 / v61
+                v66 = atan2(v54, v57) / v61
+                v67 = asinh(v65)
+                v81 = asinh(atan2(v57, v54) / v61 * (v65 + v66) / (v65 * sqrt(1.0 + v66 * v66) + v66 * sqrt(1.0 + v65 * v65)))
+                v83 = 2.0 * v61
+                v97 = b * b
+                v107 = b / R2
+                v120 = []
+                for node, weight in RULE_1(v81 / 1.0):
+                    v82 = node * v81
+                    v85 = 0.5 * v82
+                    v90 = v83 * cosh(v67 - v85) * sinh(v85)
+                    v91 = cos(v90)
+                    v94 = v59 * (v91 if v91 > 1e-17 or v91 != v91 else 1e-17)
+                    v96 = v59 * sin(v90)
+                    v100 = sqrt(v97 + v94 * v94)
+                    v118 = (2.0 * v100 / R1 + 2.0 * v94 / R2 - v107 * atan2(v94, b)) * v94 * v61 * cosh(v67 - v82) * atan2(v96, v100) * (v96 / v100)
+                    v120.append(weight * v118)
+                v120 = fsum(v120) * v81
+                v126 = 0.6366197723675814 * v9 * v44 + 0.6366197723675814 * v120
+            v129 = sigma_0 / E_star
+            if v126 - dgamma / sigma_0 - 1.2732395447351628 * v129 * c <= -(2.0 * v129 * c):
                 value = -3.141592653589793 * sigma_0 * c * c
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value

@@ -261,42 +261,46 @@ def radius_from_force(F, R, b, E_star, dgamma, sigma_0):
 def without_contact_depth(c, R, b, E_star, dgamma, sigma_0):
     if c.__class__ is R.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and c > 1e-30 and (c < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
-            v8 = 0.0 - b
-            v12 = sqrt((v8 if v8 > 0.0 or v8 != v8 else 0.0) * (0.0 + b))
-            v18 = 0.0 < b
-            if v18:
-                v13 = b - 0.0
-                v17 = sqrt((v13 if v13 > 0.0 or v13 != v13 else 0.0) * (b + 0.0))
-                v19 = c - v17
-                v25 = sqrt((v19 if v19 > 0.0 or v19 != v19 else 0.0) * (c + v17))
+            if c == 0.0:
+                v94 = 0.0
             else:
-                v25 = hypot(v12, c)
-            v26 = v25 if v18 else c
-            v28 = v25 if v26 > 0.0 else b
-            v30 = asinh(b / v28)
-            v34 = 1.5707963267948966 / v30
-            v35 = atan2(v12, v26) / v30
-            v36 = asinh(v34)
-            v51 = asinh(atan2(v26, v12) / v30 * (v34 + v35) / (v34 * sqrt(1.0 + v35 * v35) + v35 * sqrt(1.0 + v34 * v34)))
-            v54 = 2.0 * v30
-            v68 = b * b
-            v75 = b / R
-            v88 = []
-            for node, weight in RULE_0(v51 / 1.0):
-                v52 = node * v51
-                v56 = 0.5 * v52
-                v61 = v54 * cosh(v36 - v56) * sinh(v56)
-                v62 = cos(v61)
-                v65 = v28 * (v62 if v62 > 1e-17 or v62 != v62 else 1e-17)
-                v67 = v28 * sin(v61)
-                v71 = sqrt(v68 + v65 * v65)
-                v86 = (2.0 * v65 / R - v75 * atan2(v65, b)) * v65 * v30 * cosh(v36 - v52) * atan2(v67, v71) * (v67 / v71)
-                v88.append(weight * v86)
-            v88 = fsum(v88) * v51
-            v95 = sigma_0 / E_star
-            v99 = 0.6366197723675814 * v88 - dgamma / sigma_0 - 1.2732395447351628 * v95 * c
-            if v99 <= -(2.0 * v95 * c):
-                value = v99
+                v9 = 0.0 - b
+                v13 = sqrt((v9 if v9 > 0.0 or v9 != v9 else 0.0) * (0.0 + b))
+                v19 = 0.0 < b
+                if v19:
+                    v14 = b - 0.0
+                    v18 = sqrt((v14 if v14 > 0.0 or v14 != v14 else 0.0) * (b + 0.0))
+                    v20 = c - v18
+                    v26 = sqrt((v20 if v20 > 0.0 or v20 != v20 else 0.0) * (c + v18))
+                else:
+                    v26 = hypot(v13, c)
+                v27 = v26 if v19 else c
+                v29 = v26 if v27 > 0.0 else b
+                v31 = asinh(b / v29)
+                v35 = 1.5707963267948966 / v31
+                v36 = atan2(v13, v27) / v31
+                v37 = asinh(v35)
+                v52 = asinh(atan2(v27, v13) / v31 * (v35 + v36) / (v35 * sqrt(1.0 + v36 * v36) + v36 * sqrt(1.0 + v35 * v35)))
+                v55 = 2.0 * v31
+                v69 = b * b
+                v76 = b / R
+                v89 = []
+                for node, weight in RULE_0(v52 / 1.0):
+                    v53 = node * v52
+                    v57 = 0.5 * v53
+                    v62 = v55 * cosh(v37 - v57) * sinh(v57)
+                    v63 = cos(v62)
+                    v66 = v29 * (v63 if v63 > 1e-17 or v63 != v63 else 1e-17)
+                    v68 = v29 * sin(v62)
+                    v72 = sqrt(v69 + v66 * v66)
+                    v87 = (2.0 * v66 / R - v76 * atan2(v66, b)) * v66 * v31 * cosh(v37 - v53) * atan2(v68, v72) * (v68 / v72)
+                    v89.append(weight * v87)
+                v89 = fsum(v89) * v52
+                v94 = 0.6366197723675814 * v89
+            v97 = sigma_0 / E_star
+            v101 = v94 - dgamma / sigma_0 - 1.2732395447351628 * v97 * c
+            if v101 <= -(2.0 * v97 * c):
+                value = v101
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 if value != value and ordinary(c, R, b, E_star, dgamma, sigma_0):
@@ -316,40 +320,44 @@ def without_contact_depth(c, R, b, E_star, dgamma, sigma_0):
 def without_contact_force(c, R, b, E_star, dgamma, sigma_0):
     if c.__class__ is R.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and c > 1e-30 and (c < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
-            v8 = 0.0 - b
-            v12 = sqrt((v8 if v8 > 0.0 or v8 != v8 else 0.0) * (0.0 + b))
-            v18 = 0.0 < b
-            if v18:
-                v13 = b - 0.0
-                v17 = sqrt((v13 if v13 > 0.0 or v13 != v13 else 0.0) * (b + 0.0))
-                v19 = c - v17
-                v25 = sqrt((v19 if v19 > 0.0 or v19 != v19 else 0.0) * (c + v17))
+            if c == 0.0:
+                v94 = 0.0
             else:
-                v25 = hypot(v12, c)
-            v26 = v25 if v18 else c
-            v28 = v25 if v26 > 0.0 else b
-            v30 = asinh(b / v28)
-            v34 = 1.5707963267948966 / v30
-            v35 = atan2(v12, v26) / v30
-            v36 = asinh(v34)
-            v51 = asinh(atan2(v26, v12) / v30 * (v34 + v35) / (v34 * sqrt(1.0 + v35 * v35) + v35 * sqrt(1.0 + v34 * v34)))
-            v54 = 2.0 * v30
-            v68 = b * b
-            v75 = b / R
-            v88 = []
-            for node, weight in RULE_0(v51 / 1.0):
-                v52 = node * v51
-                v56 = 0.5 * v52
-                v61 = v54 * cosh(v36 - v56) * sinh(v56)
-                v62 = cos(v61)
-                v65 = v28 * (v62 if v62 > 1e-17 or v62 != v62 else 1e-17)
-                v67 = v28 * sin(v61)
-                v71 = sqrt(v68 + v65 * v65)
-                v86 = (2.0 * v65 / R - v75 * atan2(v65, b)) * v65 * v30 * cosh(v36 - v52) * atan2(v67, v71) * (v67 / v71)
-                v88.append(weight * v86)
-            v88 = fsum(v88) * v51
-            v95 = sigma_0 / E_star
-            if 0.6366197723675814 * v88 - dgamma / sigma_0 - 1.2732395447351628 * v95 * c <= -(2.0 * v95 * c):
+                v9 = 0.0 - b
+                v13 = sqrt((v9 if v9 > 0.0 or v9 != v9 else 0.0) * (0.0 + b))
+                v19 = 0.0 < b
+                if v19:
+                    v14 = b - 0.0
+                    v18 = sqrt((v14 if v14 > 0.0 or v14 != v14 else 0.0) * (b + 0.0))
+                    v20 = c - v18
+                    v26 = sqrt((v20 if v20 > 0.0 or v20 != v20 else 0.0) * (c + v18))
+                else:
+                    v26 = hypot(v13, c)
+                v27 = v26 if v19 else c
+                v29 = v26 if v27 > 0.0 else b
+                v31 = asinh(b / v29)
+                v35 = 1.5707963267948966 / v31
+                v36 = atan2(v13, v27) / v31
+                v37 = asinh(v35)
+                v52 = asinh(atan2(v27, v13) / v31 * (v35 + v36) / (v35 * sqrt(1.0 + v36 * v36) + v36 * sqrt(1.0 + v35 * v35)))
+                v55 = 2.0 * v31
+                v69 = b * b
+                v76 = b / R
+                v89 = []
+                for node, weight in RULE_0(v52 / 1.0):
+                    v53 = node * v52
+                    v57 = 0.5 * v53
+                    v62 = v55 * cosh(v37 - v57) * sinh(v57)
+                    v63 = cos(v62)
+                    v66 = v29 * (v63 if v63 > 1e-17 or v63 != v63 else 1e-17)
+                    v68 = v29 * sin(v62)
+                    v72 = sqrt(v69 + v66 * v66)
+                    v87 = (2.0 * v66 / R - v76 * atan2(v66, b)) * v66 * v31 * cosh(v37 - v53) * atan2(v68, v72) * (v68 / v72)
+                    v89.append(weight * v87)
+                v89 = fsum(v89) * v52
+                v94 = 0.6366197723675814 * v89
+            v97 = sigma_0 / E_star
+            if v94 - dgamma / sigma_0 - 1.2732395447351628 * v97 * c <= -(2.0 * v97 * c):
                 value = -3.141592653589793 * sigma_0 * c * c
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value

@@ -184,20 +184,24 @@ def radius_from_force(F, A, E_star, dgamma, sigma_0):
 def without_contact_depth(c, A, E_star, dgamma, sigma_0):
     if c.__class__ is A.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and c > 1e-30 and (c < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
-            v6 = hypot(0.0, c)
-            v7 = atan2(c, 0.0)
-            v16 = 96.0 * A / 5.0
-            v23 = []
-            for node, weight in RULE_0(v7 / 1.0):
-                v9 = node * v7
-                v10 = 0.0 + v9
-                v21 = v16 * pow(v6 * cos(v10), 5.0) * v10 * sin(v10)
-                v23.append(weight * v21)
-            v23 = fsum(v23) * v7
-            v31 = sigma_0 / E_star
-            v35 = 0.6366197723675814 * v6 * v23 - dgamma / sigma_0 - 1.2732395447351628 * v31 * c
-            if v35 <= -(2.0 * v31 * c):
-                value = v35
+            if c == 0.0:
+                v30 = 0.0
+            else:
+                v7 = hypot(0.0, c)
+                v8 = atan2(c, 0.0)
+                v17 = 96.0 * A / 5.0
+                v24 = []
+                for node, weight in RULE_0(v8 / 1.0):
+                    v10 = node * v8
+                    v11 = 0.0 + v10
+                    v22 = v17 * pow(v7 * cos(v11), 5.0) * v11 * sin(v11)
+                    v24.append(weight * v22)
+                v24 = fsum(v24) * v8
+                v30 = 0.6366197723675814 * v7 * v24
+            v33 = sigma_0 / E_star
+            v37 = v30 - dgamma / sigma_0 - 1.2732395447351628 * v33 * c
+            if v37 <= -(2.0 * v33 * c):
+                value = v37
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 if value != value and ordinary(c, A, E_star, dgamma, sigma_0):
@@ -217,18 +221,22 @@ def without_contact_depth(c, A, E_star, dgamma, sigma_0):
 def without_contact_force(c, A, E_star, dgamma, sigma_0):
     if c.__class__ is A.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and c > 1e-30 and (c < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
-            v6 = hypot(0.0, c)
-            v7 = atan2(c, 0.0)
-            v16 = 96.0 * A / 5.0
-            v23 = []
-            for node, weight in RULE_0(v7 / 1.0):
-                v9 = node * v7
-                v10 = 0.0 + v9
-                v21 = v16 * pow(v6 * cos(v10), 5.0) * v10 * sin(v10)
-                v23.append(weight * v21)
-            v23 = fsum(v23) * v7
-            v31 = sigma_0 / E_star
-            if 0.6366197723675814 * v6 * v23 - dgamma / sigma_0 - 1.2732395447351628 * v31 * c <= -(2.0 * v31 * c):
+            if c == 0.0:
+                v30 = 0.0
+            else:
+                v7 = hypot(0.0, c)
+                v8 = atan2(c, 0.0)
+                v17 = 96.0 * A / 5.0
+                v24 = []
+                for node, weight in RULE_0(v8 / 1.0):
+                    v10 = node * v8
+                    v11 = 0.0 + v10
+                    v22 = v17 * pow(v7 * cos(v11), 5.0) * v11 * sin(v11)
+                    v24.append(weight * v22)
+                v24 = fsum(v24) * v8
+                v30 = 0.6366197723675814 * v7 * v24
+            v33 = sigma_0 / E_star
+            if v30 - dgamma / sigma_0 - 1.2732395447351628 * v33 * c <= -(2.0 * v33 * c):
                 value = -3.141592653589793 * sigma_0 * c * c
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value

@@ -243,29 +243,33 @@ def radius_from_force(F, R, E_star, dgamma, sigma_0):
 def without_contact_depth(c, R, E_star, dgamma, sigma_0):
     if c.__class__ is R.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and c > 1e-30 and (c < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
-            v6 = hypot(0.0, c)
-            v8 = R - 0.0
-            v12 = sqrt((v8 if v8 > 0.0 or v8 != v8 else 0.0) * (R + 0.0))
-            v13 = v12 - c
-            v17 = sqrt((v13 if v13 > 0.0 or v13 != v13 else 0.0) * (v12 + c))
-            v19 = asinh(v17 / v6)
-            v20 = v19 > 0.0
-            v22 = v19 if v20 else 1.0
-            v24 = asinh(atan2(c, 0.0) / v22)
-            v47 = []
-            for node, weight in RULE_0(v24 / 0.7):
-                v26 = node * v24
-                v28 = v22 * sinh(v26)
-                v29 = sin(v28)
-                v31 = v6 * cos(v28)
-                v33 = hypot(v17, v6 * v29)
-                v45 = (asinh(v31 / v33) + R * v31 / (v33 * v33)) * v22 * cosh(v26) * v28 * v29
-                v47.append(weight * v45)
-            v47 = fsum(v47) * v24
-            v57 = sigma_0 / E_star
-            v61 = (0.6366197723675814 if v20 else inf) * v6 * v47 - dgamma / sigma_0 - 1.2732395447351628 * v57 * c
-            if v61 <= -(2.0 * v57 * c):
-                value = v61
+            if c == 0.0:
+                v56 = 0.0
+            else:
+                v7 = hypot(0.0, c)
+                v9 = R - 0.0
+                v13 = sqrt((v9 if v9 > 0.0 or v9 != v9 else 0.0) * (R + 0.0))
+                v14 = v13 - c
+                v18 = sqrt((v14 if v14 > 0.0 or v14 != v14 else 0.0) * (v13 + c))
+                v20 = asinh(v18 / v7)
+                v21 = v20 > 0.0
+                v23 = v20 if v21 else 1.0
+                v25 = asinh(atan2(c, 0.0) / v23)
+                v48 = []
+                for node, weight in RULE_0(v25 / 0.7):
+                    v27 = node * v25
+                    v29 = v23 * sinh(v27)
+                    v30 = sin(v29)
+                    v32 = v7 * cos(v29)
+                    v34 = hypot(v18, v7 * v30)
+                    v46 = (asinh(v32 / v34) + R * v32 / (v34 * v34)) * v23 * cosh(v27) * v29 * v30
+                    v48.append(weight * v46)
+                v48 = fsum(v48) * v25
+                v56 = (0.6366197723675814 if v21 else inf) * v7 * v48
+            v59 = sigma_0 / E_star
+            v63 = v56 - dgamma / sigma_0 - 1.2732395447351628 * v59 * c
+            if v63 <= -(2.0 * v59 * c):
+                value = v63
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 if value != value and ordinary(c, R, E_star, dgamma, sigma_0):
@@ -285,27 +289,31 @@ def without_contact_depth(c, R, E_star, dgamma, sigma_0):
 def without_contact_force(c, R, E_star, dgamma, sigma_0):
     if c.__class__ is R.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and c > 1e-30 and (c < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
-            v6 = hypot(0.0, c)
-            v8 = R - 0.0
-            v12 = sqrt((v8 if v8 > 0.0 or v8 != v8 else 0.0) * (R + 0.0))
-            v13 = v12 - c
-            v17 = sqrt((v13 if v13 > 0.0 or v13 != v13 else 0.0) * (v12 + c))
-            v19 = asinh(v17 / v6)
-            v20 = v19 > 0.0
-            v22 = v19 if v20 else 1.0
-            v24 = asinh(atan2(c, 0.0) / v22)
-            v47 = []
-            for node, weight in RULE_0(v24 / 0.7):
-                v26 = node * v24
-                v28 = v22 * sinh(v26)
-                v29 = sin(v28)
-                v31 = v6 * cos(v28)
-                v33 = hypot(v17, v6 * v29)
-                v45 = (asinh(v31 / v33) + R * v31 / (v33 * v33)) * v22 * cosh(v26) * v28 * v29
-                v47.append(weight * v45)
-            v47 = fsum(v47) * v24
-            v57 = sigma_0 / E_star
-            if (0.6366197723675814 if v20 else inf) * v6 * v47 - dgamma / sigma_0 - 1.2732395447351628 * v57 * c <= -(2.0 * v57 * c):
+            if c == 0.0:
+                v56 = 0.0
+            else:
+                v7 = hypot(0.0, c)
+                v9 = R - 0.0
+                v13 = sqrt((v9 if v9 > 0.0 or v9 != v9 else 0.0) * (R + 0.0))
+                v14 = v13 - c
+                v18 = sqrt((v14 if v14 > 0.0 or v14 != v14 else 0.0) * (v13 + c))
+                v20 = asinh(v18 / v7)
+                v21 = v20 > 0.0
+                v23 = v20 if v21 else 1.0
+                v25 = asinh(atan2(c, 0.0) / v23)
+                v48 = []
+                for node, weight in RULE_0(v25 / 0.7):
+                    v27 = node * v25
+                    v29 = v23 * sinh(v27)
+                    v30 = sin(v29)
+                    v32 = v7 * cos(v29)
+                    v34 = hypot(v18, v7 * v30)
+                    v46 = (asinh(v32 / v34) + R * v32 / (v34 * v34)) * v23 * cosh(v27) * v29 * v30
+                    v48.append(weight * v46)
+                v48 = fsum(v48) * v25
+                v56 = (0.6366197723675814 if v21 else inf) * v7 * v48
+            v59 = sigma_0 / E_star
+            if v56 - dgamma / sigma_0 - 1.2732395447351628 * v59 * c <= -(2.0 * v59 * c):
                 value = -3.141592653589793 * sigma_0 * c * c
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value

@@ -189,67 +189,71 @@ def radius_from_force(F, R, theta, E_star, dgamma, sigma_0):
 def without_contact_depth(c, R, theta, E_star, dgamma, sigma_0):
     if c.__class__ is R.__class__ is theta.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and c > 1e-30 and (c < 1e+30) and (R > 1e-30) and (R < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
-            v8 = R * sin(theta)
-            v9 = hypot(0.0, c)
-            v10 = atan2(c, 0.0)
-            v11 = 0.0 < v8
-            v12 = v8 - 0.0
-            v16 = sqrt((v12 if v12 > 0.0 or v12 != v12 else 0.0) * (v8 + 0.0))
-            v17 = c - v16
-            v21 = sqrt((v17 if v17 > 0.0 or v17 != v17 else 0.0) * (c + v16))
-            if v11:
-                v26 = (atan2(v21 if v11 else c, v8) if v11 else v10) if v9 > v8 else 0.0
-                v28 = v26 if v26 < v10 or v26 != v26 else v10
+            if c == 0.0:
+                v162 = 0.0
             else:
-                v28 = v10
-            v29 = v10 - v28
-            v30 = v9 if v9 > R or v9 != v9 else R
-            v38 = 0.6366197723675814 * (R - v8) / sqrt((v30 - v8) * (v30 + v8))
-            v42 = v29 / 9.0 + 1e-300
-            v43 = v38 if v38 > v42 or v38 != v38 else v42
-            v65 = []
-            for node, weight in RULE_0(v29 / v43):
-                v44 = node * v29
-                v45 = v28 + v44
-                v48 = abs(v9 * cos(v45))
-                v49 = v48 if v48 < v8 or v48 != v48 else v8
-                v53 = sqrt((R - v49) * (R + v49))
-                v63 = (asinh(v49 / v53) + R * v49 / (v53 * v53)) * v45 * sin(v45)
-                v65.append(weight * v63)
-            v65 = fsum(v65) * v29
-            v70 = 0.0 - v8
-            v74 = sqrt((v70 if v70 > 0.0 or v70 != v70 else 0.0) * (0.0 + v8))
-            v76 = v21 if v11 else hypot(v74, c)
-            v77 = v76 if v11 else c
-            v79 = v76 if v77 > 0.0 else v8
-            v81 = asinh(v8 / v79)
-            v85 = 1.5707963267948966 / v81
-            v86 = atan2(v74, v77) / v81
-            v87 = asinh(v85)
-            v102 = asinh(atan2(v77, v74) / v81 * (v85 + v86) / (v85 * sqrt(1.0 + v86 * v86) + v86 * sqrt(1.0 + v85 * v85)))
-            v104 = 2.0 * v81
-            v118 = v8 * v8
-            v123 = R * cos(theta)
-            v125 = v8 * v8
-            v129 = v125 / (v123 + R)
-            v137 = v125 * R
-            v138 = v123 * v123
-            v155 = []
-            for node, weight in RULE_1(v102 / 1.0):
-                v103 = node * v102
-                v106 = 0.5 * v103
-                v111 = v104 * cosh(v87 - v106) * sinh(v106)
-                v112 = cos(v111)
-                v115 = v79 * (v112 if v112 > 1e-17 or v112 != v112 else 1e-17)
-                v117 = v79 * sin(v111)
-                v121 = sqrt(v118 + v115 * v115)
-                v153 = (log1p((v125 / (v115 + v121) + v129) / (v115 + v123)) + v8 * atan2(v115, v8) / v123 + v137 / (v121 * v138 + R * v115 * v123)) * v115 * v81 * cosh(v87 - v103) * atan2(v117, v121) * (v117 / v121)
-                v155.append(weight * v153)
-            v155 = fsum(v155) * v102
-            v163 = sigma_0 / E_star
-            v167 = 0.6366197723675814 * v9 * v65 + 0.6366197723675814 * v155 - dgamma / sigma_0 - 1.2732395447351628 * v163 * c
-            if v167 <= -(2.0 * v163 * c):
-                value = v167
+                v9 = R * sin(theta)
+                v10 = hypot(0.0, c)
+                v11 = atan2(c, 0.0)
+                v12 = 0.0 < v9
+                v13 = v9 - 0.0
+                v17 = sqrt((v13 if v13 > 0.0 or v13 != v13 else 0.0) * (v9 + 0.0))
+                v18 = c - v17
+                v22 = sqrt((v18 if v18 > 0.0 or v18 != v18 else 0.0) * (c + v17))
+                if v12:
+                    v27 = (atan2(v22 if v12 else c, v9) if v12 else v11) if v10 > v9 else 0.0
+                    v29 = v27 if v27 < v11 or v27 != v27 else v11
+                else:
+                    v29 = v11
+                v30 = v11 - v29
+                v31 = v10 if v10 > R or v10 != v10 else R
+                v39 = 0.6366197723675814 * (R - v9) / sqrt((v31 - v9) * (v31 + v9))
+                v43 = v30 / 9.0 + 1e-300
+                v44 = v39 if v39 > v43 or v39 != v39 else v43
+                v66 = []
+                for node, weight in RULE_0(v30 / v44):
+                    v45 = node * v30
+                    v46 = v29 + v45
+                    v49 = abs(v10 * cos(v46))
+                    v50 = v49 if v49 < v9 or v49 != v49 else v9
+                    v54 = sqrt((R - v50) * (R + v50))
+                    v64 = (asinh(v50 / v54) + R * v50 / (v54 * v54)) * v46 * sin(v46)
+                    v66.append(weight * v64)
+                v66 = fsum(v66) * v30
+                v71 = 0.0 - v9
+                v75 = sqrt((v71 if v71 > 0.0 or v71 != v71 else 0.0) * (0.0 + v9))
+                v77 = v22 if v12 else hypot(v75, c)
+                v78 = v77 if v12 else c
+                v80 = v77 if v78 > 0.0 else v9
+                v82 = asinh(v9 / v80)
+                v86 = 1.5707963267948966 / v82
+                v87 = atan2(v75, v78) / v82
+                v88 = asinh(v86)
+                v103 = asinh(atan2(v78, v75) / v82 * (v86 + v87) / (v86 * sqrt(1.0 + v87 * v87) + v87 * sqrt(1.0 + v86 * v86)))
+                v105 = 2.0 * v82
+                v119 = v9 * v9
+                v124 = R * cos(theta)
+                v126 = v9 * v9
+                v130 = v126 / (v124 + R)
+                v138 = v126 * R
+                v139 = v124 * v124
+                v156 = []
+                for node, weight in RULE_1(v103 / 1.0):
+                    v104 = node * v103
+                    v107 = 0.5 * v104
+                    v112 = v105 * cosh(v88 - v107) * sinh(v107)
+                    v113 = cos(v112)
+                    v116 = v80 * (v113 if v113 > 1e-17 or v113 != v113 else 1e-17)
+                    v118 = v80 * sin(v112)
+                    v122 = sqrt(v119 + v116 * v116)
+                    v154 = (log1p((v126 / (v116 + v122) + v130) / (v116 + v124)) + v9 * atan2(v116, v9) / v124 + v138 / (v122 * v139 + R * v116 * v124)) * v116 * v82 * cosh(v88 - v104) * atan2(v118, v122) * (v118 / v122)
+                    v156.append(weight * v154)
+                v156 = fsum(v156) * v103
+                v162 = 0.6366197723675814 * v10 * v66 + 0.6366197723675814 * v156
+            v165 = sigma_0 / E_star
+            v169 = v162 - dgamma / sigma_0 - 1.2732395447351628 * v165 * c
+            if v169 <= -(2.0 * v165 * c):
+                value = v169
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 if value != value and ordinary(c, R, theta, E_star, dgamma, sigma_0):
@@ -269,65 +273,69 @@ def without_contact_depth(c, R, theta, E_star, dgamma, sigma_0):
 def without_contact_force(c, R, theta, E_star, dgamma, sigma_0):
     if c.__class__ is R.__class__ is theta.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and c > 1e-30 and (c < 1e+30) and (R > 1e-30) and (R < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
-            v8 = R * sin(theta)
-            v9 = hypot(0.0, c)
-            v10 = atan2(c, 0.0)
-            v11 = 0.0 < v8
-            v12 = v8 - 0.0
-            v16 = sqrt((v12 if v12 > 0.0 or v12 != v12 else 0.0) * (v8 + 0.0))
-            v17 = c - v16
-            v21 = sqrt((v17 if v17 > 0.0 or v17 != v17 else 0.0) * (c + v16))
-            if v11:
-                v26 = (atan2(v21 if v11 else c, v8) if v11 else v10) if v9 > v8 else 0.0
-                v28 = v26 if v26 < v10 or v26 != v26 else v10
+            if c == 0.0:
+                v162 = 0.0
             else:
-                v28 = v10
-            v29 = v10 - v28
-            v30 = v9 if v9 > R or v9 != v9 else R
-            v38 = 0.6366197723675814 * (R - v8) / sqrt((v30 - v8) * (v30 + v8))
-            v42 = v29 / 9.0 + 1e-300
-            v43 = v38 if v38 > v42 or v38 != v38 else v42
-            v65 = []
-            for node, weight in RULE_0(v29 / v43):
-                v44 = node * v29
-                v45 = v28 + v44
-                v48 = abs(v9 * cos(v45))
-                v49 = v48 if v48 < v8 or v48 != v48 else v8
-                v53 = sqrt((R - v49) * (R + v49))
-                v63 = (asinh(v49 / v53) + R * v49 / (v53 * v53)) * v45 * sin(v45)
-                v65.append(weight * v63)
-            v65 = fsum(v65) * v29
-            v70 = 0.0 - v8
-            v74 = sqrt((v70 if v70 > 0.0 or v70 != v70 else 0.0) * (0.0 + v8))
-            v76 = v21 if v11 else hypot(v74, c)
-            v77 = v76 if v11 else c
-            v79 = v76 if v77 > 0.0 else v8
-            v81 = asinh(v8 / v79)
-            v85 = 1.5707963267948966 / v81
-            v86 = atan2(v74, v77) / v81
-            v87 = asinh(v85)
-            v102 = asinh(atan2(v77, v74) / v81 * (v85 + v86) / (v85 * sqrt(1.0 + v86 * v86) + v86 * sqrt(1.0 + v85 * v85)))
-            v104 = 2.0 * v81
-            v118 = v8 * v8
-            v123 = R * cos(theta)
-            v125 = v8 * v8
-            v129 = v125 / (v123 + R)
-            v137 = v125 * R
-            v138 = v123 * v123
-            v155 = []
-            for node, weight in RULE_1(v102 / 1.0):
-                v103 = node * v102
-                v106 = 0.5 * v103
-                v111 = v104 * cosh(v87 - v106) * sinh(v106)
-                v112 = cos(v111)
-                v115 = v79 * (v112 if v112 > 1e-17 or v112 != v112 else 1e-17)
-                v117 = v79 * sin(v111)
-                v121 = sqrt(v118 + v115 * v115)
-                v153 = (log1p((v125 / (v115 + v121) + v129) / (v115 + v123)) + v8 * atan2(v115, v8) / v123 + v137 / (v121 * v138 + R * v115 * v123)) * v115 * v81 * cosh(v87 - v103) * atan2(v117, v121) * (v117 / v121)
-                v155.append(weight * v153)
-            v155 = fsum(v155) * v102
-            v163 = sigma_0 / E_star
-            if 0.6366197723675814 * v9 * v65 + 0.6366197723675814 * v155 - dgamma / sigma_0 - 1.2732395447351628 * v163 * c <= -(2.0 * v163 * c):
+                v9 = R * sin(theta)
+                v10 = hypot(0.0, c)
+                v11 = atan2(c, 0.0)
+                v12 = 0.0 < v9
+                v13 = v9 - 0.0
+                v17 = sqrt((v13 if v13 > 0.0 or v13 != v13 else 0.0) * (v9 + 0.0))
+                v18 = c - v17
+                v22 = sqrt((v18 if v18 > 0.0 or v18 != v18 else 0.0) * (c + v17))
+                if v12:
+                    v27 = (atan2(v22 if v12 else c, v9) if v12 else v11) if v10 > v9 else 0.0
+                    v29 = v27 if v27 < v11 or v27 != v27 else v11
+                else:
+                    v29 = v11
+                v30 = v11 - v29
+                v31 = v10 if v10 > R or v10 != v10 else R
+                v39 = 0.6366197723675814 * (R - v9) / sqrt((v31 - v9) * (v31 + v9))
+                v43 = v30 / 9.0 + 1e-300
+                v44 = v39 if v39 > v43 or v39 != v39 else v43
+                v66 = []
+                for node, weight in RULE_0(v30 / v44):
+                    v45 = node * v30
+                    v46 = v29 + v45
+                    v49 = abs(v10 * cos(v46))
+                    v50 = v49 if v49 < v9 or v49 != v49 else v9
+                    v54 = sqrt((R - v50) * (R + v50))
+                    v64 = (asinh(v50 / v54) + R * v50 / (v54 * v54)) * v46 * sin(v46)
+                    v66.append(weight * v64)
+                v66 = fsum(v66) * v30
+                v71 = 0.0 - v9
+                v75 = sqrt((v71 if v71 > 0.0 or v71 != v71 else 0.0) * (0.0 + v9))
+                v77 = v22 if v12 else hypot(v75, c)
+                v78 = v77 if v12 else c
+                v80 = v77 if v78 > 0.0 else v9
+                v82 = asinh(v9 / v80)
+                v86 = 1.5707963267948966 / v82
+                v87 = atan2(v75, v78) / v82
+                v88 = asinh(v86)
+                v103 = asinh(atan2(v78, v75) / v82 * (v86 + v87) / (v86 * sqrt(1.0 + v87 * v87) + v87 * sqrt(1.0 + v86 * v86)))
+                v105 = 2.0 * v82
+                v119 = v9 * v9
+                v124 = R * cos(theta)
+                v126 = v9 * v9
+                v130 = v126 / (v124 + R)
+                v138 = v126 * R
+                v139 = v124 * v124
+                v156 = []
+                for node, weight in RULE_1(v103 / 1.0):
+                    v104 = node * v103
+                    v107 = 0.5 * v104
+                    v112 = v105 * cosh(v88 - v107) * sinh(v107)
+                    v113 = cos(v112)
+                    v116 = v80 * (v113 if v113 > 1e-17 or v113 != v113 else 1e-17)
+                    v118 = v80 * sin(v112)
+                    v122 = sqrt(v119 + v116 * v116)
+                    v154 = (log1p((v126 / (v116 + v122) + v130) / (v116 + v124)) + v9 * atan2(v116, v9) / v124 + v138 / (v122 * v139 + R * v116 * v124)) * v116 * v82 * cosh(v88 - v104) * atan2(v118, v122) * (v118 / v122)
+                    v156.append(weight * v154)
+                v156 = fsum(v156) * v103
+                v162 = 0.6366197723675814 * v10 * v66 + 0.6366197723675814 * v156
+            v165 = sigma_0 / E_star
+            if v162 - dgamma / sigma_0 - 1.2732395447351628 * v165 * c <= -(2.0 * v165 * c):
                 value = -3.141592653589793 * sigma_0 * c * c
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..interface import Array
+from ..interface import Array, either
 from .cohesive import WITHIN, Opening, with_ring
 
 CORNER = (0.5, 0.9, 1.0, 1.01, 1.1, 1.5, 3.0)
@@ -47,6 +47,7 @@ class State(NamedTuple):
     ratio: Array
     """Rate of the gap with c over that at which the load does not change with a; not a number beyond the profile."""
     load: Array
+    """Not a number where it is not asked for."""
     widening: Array
     """Rate of ln q."""
     steepening: Array
@@ -73,6 +74,8 @@ class Stretch(NamedTuple):
 
 Near = Callable[[Array, Array], State]
 """The state at a radius, from a guess of q."""
+Loaded = Callable[[Array, Array], Array]
+"""The load at a radius and a q."""
 Missed = Callable[[State], tuple[Array, Array]]
 """Below 0 before what is looked for, above 0 beyond; and its rate with ln a."""
 
@@ -101,7 +104,6 @@ def radii_on_bump(first: Array, largest: Array) -> Stretch:
 def state_near(
     opened: Opening,
     growth: Array,
-    loaded: Callable[[Array], Array],
     start: Array,
     a: Array,
     control: str,
@@ -110,7 +112,7 @@ def state_near(
     sigma_0: Array,
     largest: Array | float = np.inf,
 ) -> State:
-    """The state at a contact radius from a guess of q, with g'(a) and the load as a function of q.
+    """The state at a contact radius from a guess of q, with g'(a).
 
     The last step to the root of the zone is not looked at: what it changes is known.  The gap is a function of a and c
     of a degree n, a dgap/da + c dgap/dc = n gap, and its rate one of the degree n - 1, as far as n is constant.
@@ -164,17 +166,23 @@ def state_near(
     else:
         gain = a * growth - 2.0 * (sigma_0 / E_star) * q * widening
     steepening = steepening - bend * turn / level
-    return State(a, q, np.where(reached, ratio / level, np.nan), loaded(q), widening, steepening, gain, off, doubt)
+    return State(a, q, np.where(reached, ratio / level, np.nan), np.nan * a, widening, steepening, gain, off, doubt)
 
 
-def radius_of_pull_off(near: Near, stretch: Stretch) -> Array:
+def radius_of_pull_off(near: Near, loaded: Loaded, stretch: Stretch) -> Array:
     """That of the least load: 0 where it falls as long as there is a contact, not a number beyond the profile."""
-    found = _walked(near, stretch, _by_ratio, _never)
-    return _least(_risen(near, found, stretch.first == stretch.first)).a
+    risen = _risen(near, _walked(near, stretch, _by_ratio, _never), stretch.first == stretch.first)
+    weighed = list[tuple[State, State, Array]]()
+    for start, high, grows in risen:
+        weighed.append((_weighed(loaded, start, grows), high, grows))
+    return _least(weighed).a
 
 
-def radius_under(near: Near, value: Array, stretch: Stretch) -> Array:
+def radius_under(near_to: Near, loaded: Loaded, value: Array, stretch: Stretch) -> Array:
     """The largest radius with this load where the load grows, from that of the least load on."""
+
+    def near(a: Array, start: Array) -> State:
+        return _weighed(loaded, near_to(a, start), value == value)
 
     def missed(state: State) -> tuple[Array, Array]:
         # a load that falls, or is nothing yet, says nothing of the way
@@ -188,10 +196,10 @@ def radius_under(near: Near, value: Array, stretch: Stretch) -> Array:
     if np.all(found[0].a > 0.0) and not np.all(found[-1].load >= value):
         found = _walked(near, stretch, missed, _never)
     sought = value == value
-    if len(stretch.radii) == 1:
-        # with one minimum there is no other radius where the load grows
-        for low, high in zip(found, found[1:], strict=False):
-            sought = sought & np.logical_not((low.ratio >= 1.0) & (low.load <= value) & (high.load >= value))
+    for low, high in zip(found, found[1:], strict=False):
+        # beyond the radii there is one minimum, above which the load grows
+        grows = (low.a >= stretch.radii[-1]) & (low.ratio >= 1.0)
+        sought = sought & np.logical_not(grows & (low.load <= value) & (high.load >= value))
     risen, left = _risen(near, found, sought), value < np.inf
     least, a = _least(risen), np.full_like(value, np.nan)
     for start, high, _ in risen[::-1]:
@@ -230,10 +238,13 @@ def parted_by(opened: Opening, first: Array, corner: Array, E_star: Array, sigma
     """The same for a profile with a break, at which its slope may jump."""
     near = _without_contact(opened, E_star, sigma_0)
     before, after, beyond = near((1.0 - BESIDE) * corner, first), near((1.0 + BESIDE) * corner, first), first > corner
-    low = _chosen(beyond & (after.ratio < 1.0), after, near(LEAST * first, first))
-    high = _chosen(beyond & (before.ratio >= 1.0), before, near(first, first))
-    jumps = beyond & (before.ratio < 1.0) & (after.ratio >= 1.0)
-    return np.where(jumps, corner, _least_depth(near, low, high))
+
+    def elsewhere() -> Array:
+        low = _chosen(beyond & (after.ratio < 1.0), after, near(LEAST * first, first))
+        high = _chosen(beyond & (before.ratio >= 1.0), before, near(first, first))
+        return _least_depth(near, low, high)
+
+    return either(beyond & (before.ratio < 1.0) & (after.ratio >= 1.0), lambda: corner + 0.0 * first, elsewhere)
 
 
 def _without_contact(opened: Opening, E_star: Array, sigma_0: Array) -> Near:
@@ -269,6 +280,12 @@ def _by_load(value: Array, least: State) -> Missed:
     return missed
 
 
+def _weighed(loaded: Loaded, state: State, asked: Array) -> State:
+    """A state with its load where that is asked for."""
+    load = either(asked, lambda: loaded(state.a, state.q), lambda: np.full_like(state.a, np.inf))
+    return state._replace(load=load)
+
+
 def _none(state: State) -> State:
     """In the place of a state: there is none."""
     nothing = np.full_like(state.a, np.nan)
@@ -286,24 +303,40 @@ def _never(state: State) -> Array:
 def _walked(near: Near, stretch: Stretch, missed: Missed, enough: Callable[[State], Array]) -> list[State]:
     """States in ascending order on to where nothing is missed, or to the end of the profile.
 
-    They begin at the highest of the radii at which there is `enough`, without a contact if there is none.
+    They begin at the highest of the radii if there is `enough` there or beyond, or further down: at the highest with
+    enough, without a contact if there is none.
     """
-    first, own, top, rises = stretch
-    states = list[State]()
-    for a in own[::-1]:
-        states.append(near(a, _guess(states[-1], a) if states else first))
+    first, own, top, _ = stretch
+    beyond = _beyond(near, near(own[-1], first), stretch, missed)
+    met = enough(beyond[0])
+    for here in beyond[1:]:
+        met = met | enough(here)
+    if np.all(met):
+        return beyond
+    states = beyond[:1]
+    for a in own[:-1][::-1]:
+        states.append(near(a, _guess(states[-1], a)))
         if np.all(enough(states[-1])):
             break
     found = [] if np.all(enough(states[-1])) else [near(np.zeros_like(first), first)]
-    for here, a in zip(states[::-1], own[-len(states) :], strict=True):
+    for here in [*states[1:][::-1], *beyond]:
         # no state: the zone would reach beyond the profile
         reached = here.ratio == here.ratio
+        top = np.where(reached, top, np.minimum(here.a, top))
         found.append(_chosen(reached, here, found[-1]) if found else here)
-        top = np.where(reached, top, np.minimum(a, top))
-    last, step, ended = found[-1], np.full_like(first, SHORTEST), first != first
+    if not np.all(beyond[0].ratio == beyond[0].ratio):
+        found = [*found, *_beyond(near, found[-1], stretch._replace(top=top), missed)[1:]]
+    return found
+
+
+def _beyond(near: Near, last: State, stretch: Stretch, missed: Missed) -> list[State]:
+    """A state and those beyond it, as long as something is missed."""
+    found, top, rises = [last], stretch.top, stretch.rises
+    step, ended = np.full_like(last.a, SHORTEST), last.a != last.a
     for _ in range(WALKED):
         short, rate = missed(last)
         more = (short < 0.0) & (last.a * (1.0 + CLOSE) < top) & (rises | (last.ratio >= 1.0))
+        more = more & (last.ratio == last.ratio)
         if not np.count_nonzero(more):
             break
         aimed = np.where(rate > 0.0, -BEYOND * short / np.where(rate > 0.0, rate, 1.0), step)
@@ -320,8 +353,8 @@ def _walked(near: Near, stretch: Stretch, missed: Missed, enough: Callable[[Stat
 
 
 def _guess(state: State, a: Array) -> Array:
-    """q at another radius."""
-    known = (state.a > 0.0) & (state.ratio == state.ratio)
+    """q at another radius; next to a break its rate is that of the break alone."""
+    known = (state.a > 0.0) & (state.ratio == state.ratio) & (np.abs(state.widening) < 1.0 / NARROWEST)
     wider = np.log(np.where(known, a / np.where(known, state.a, 1.0), 1.0)) * np.where(known, state.widening, 0.0)
     return state.q * np.exp(np.minimum(np.maximum(wider, -FURTHEST), FURTHEST))
 
@@ -351,13 +384,15 @@ def _between(near: Near, missed: Missed, low: State, high: State, holds: Array, 
             halved = halved | (sure & (4.0 * np.abs(aim - x) > moved))
         aim = np.where(halved, 0.5 * (bottom + top), aim)
         step = np.abs(aim - x)
-        best = _chosen(left, here._replace(a=unit * np.exp(aim)), best)
+        a = unit * np.exp(aim)
+        q = _guess(here, a)
+        best = _chosen(left, here._replace(a=a, q=q), best)
         narrow = here.q <= NARROW * here.a
         after = np.where(halved, 1.0, np.where(narrow | (not exact), np.maximum(moved, step), step))
         left = left & ((step * after > SETTLED) | (np.abs(here.off) > FINE) | (np.abs(y) > SMALL))
         if not np.count_nonzero(left):
             break
-        here = near(unit * np.exp(aim), _guess(here, unit * np.exp(aim)))
+        here = near(a, q)
         before, x, moved = (x, y), aim, step
         y, rate = missed(here)
         alike = (moved < ALIKE) & (moved > 0.0) & (narrow | (not exact)) & (before[1] > -np.inf) & (y > -np.inf)

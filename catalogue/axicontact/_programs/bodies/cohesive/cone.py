@@ -90,13 +90,13 @@ def _radii(theta, E_star, dgamma, sigma_0):
 
 
 def _state(a, start, theta, E_star, dgamma, sigma_0, control):
-    load = _force_of if control == 'force' else _depth_of
     growth = _growth(a, theta)
-    return state_near(partial(_opened, theta=theta), growth, lambda q: load(a, q, theta, E_star, dgamma, sigma_0), start, a, control, E_star, dgamma, sigma_0)
+    return state_near(partial(_opened, theta=theta), growth, start, a, control, E_star, dgamma, sigma_0)
 
 
 def _pull_off_radius(theta, E_star, dgamma, sigma_0, control):
-    return radius_of_pull_off(lambda a, start: _state(a, start, theta, E_star, dgamma, sigma_0, control), _radii(theta, E_star, dgamma, sigma_0))
+    load = _force_of if control == 'force' else _depth_of
+    return radius_of_pull_off(lambda a, start: _state(a, start, theta, E_star, dgamma, sigma_0, control), lambda a, q: load(a, q, theta, E_star, dgamma, sigma_0), _radii(theta, E_star, dgamma, sigma_0))
 
 
 def _parted(theta, E_star, dgamma, sigma_0):
@@ -105,7 +105,7 @@ def _parted(theta, E_star, dgamma, sigma_0):
 
 
 def _pull_off_zone(a, theta, E_star, dgamma, sigma_0):
-    return either(a > 0.0, lambda: _zone(a, theta, E_star, dgamma, sigma_0), lambda: _parted(theta, E_star, dgamma, sigma_0) if a == 0.0 else np.nan)
+    return either(a > 0.0, lambda: root_of_zone(partial(_opened, theta=theta), a, E_star, dgamma, sigma_0), lambda: _parted(theta, E_star, dgamma, sigma_0) if a == 0.0 else np.nan)
 
 
 def _pull_off_depth(a, q, theta, E_star, dgamma, sigma_0):
@@ -119,9 +119,9 @@ def _held_apart(d, theta, E_star, dgamma, sigma_0):
 
 
 def _radius_from_depth(d, theta, E_star, dgamma, sigma_0):
-    a = radius_under(lambda a, start: _state(a, start, theta, E_star, dgamma, sigma_0, 'depth'), d, _radii(theta, E_star, dgamma, sigma_0))
+    a = radius_under(lambda a, start: _state(a, start, theta, E_star, dgamma, sigma_0, 'depth'), lambda a, q: _depth_of(a, q, theta, E_star, dgamma, sigma_0), d, _radii(theta, E_star, dgamma, sigma_0))
     return _held_apart(d, theta, E_star, dgamma, sigma_0) if np.isnan(a) else a
 
 
 def _radius_from_force(F, theta, E_star, dgamma, sigma_0):
-    return radius_under(lambda a, start: _state(a, start, theta, E_star, dgamma, sigma_0, 'force'), F, _radii(theta, E_star, dgamma, sigma_0))
+    return radius_under(lambda a, start: _state(a, start, theta, E_star, dgamma, sigma_0, 'force'), lambda a, q: _force_of(a, q, theta, E_star, dgamma, sigma_0), F, _radii(theta, E_star, dgamma, sigma_0))

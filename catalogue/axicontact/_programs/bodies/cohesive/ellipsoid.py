@@ -115,13 +115,13 @@ def _radii(h, b, E_star, dgamma, sigma_0):
 
 
 def _state(a, start, h, b, E_star, dgamma, sigma_0, control):
-    load = _force_of if control == 'force' else _depth_of
     growth = _growth(a, h, b)
-    return state_near(partial(_opened, h=h, b=b), growth, lambda q: load(a, q, h, b, E_star, dgamma, sigma_0), start, a, control, E_star, dgamma, sigma_0, difference_root(b, a))
+    return state_near(partial(_opened, h=h, b=b), growth, start, a, control, E_star, dgamma, sigma_0, difference_root(b, a))
 
 
 def _pull_off_radius(h, b, E_star, dgamma, sigma_0, control):
-    return radius_of_pull_off(lambda a, start: _state(a, start, h, b, E_star, dgamma, sigma_0, control), _radii(h, b, E_star, dgamma, sigma_0))
+    load = _force_of if control == 'force' else _depth_of
+    return radius_of_pull_off(lambda a, start: _state(a, start, h, b, E_star, dgamma, sigma_0, control), lambda a, q: load(a, q, h, b, E_star, dgamma, sigma_0), _radii(h, b, E_star, dgamma, sigma_0))
 
 
 def _parted(h, b, E_star, dgamma, sigma_0):
@@ -130,7 +130,7 @@ def _parted(h, b, E_star, dgamma, sigma_0):
 
 
 def _pull_off_zone(a, h, b, E_star, dgamma, sigma_0):
-    return either(a > 0.0, lambda: _zone(a, h, b, E_star, dgamma, sigma_0), lambda: _parted(h, b, E_star, dgamma, sigma_0) if a == 0.0 else np.nan)
+    return either(a > 0.0, lambda: root_of_zone(partial(_opened, h=h, b=b), a, E_star, dgamma, sigma_0, difference_root(b, a)), lambda: _parted(h, b, E_star, dgamma, sigma_0) if a == 0.0 else np.nan)
 
 
 def _pull_off_depth(a, q, h, b, E_star, dgamma, sigma_0):
@@ -144,9 +144,9 @@ def _held_apart(d, h, b, E_star, dgamma, sigma_0):
 
 
 def _radius_from_depth(d, h, b, E_star, dgamma, sigma_0):
-    a = radius_under(lambda a, start: _state(a, start, h, b, E_star, dgamma, sigma_0, 'depth'), d, _radii(h, b, E_star, dgamma, sigma_0))
+    a = radius_under(lambda a, start: _state(a, start, h, b, E_star, dgamma, sigma_0, 'depth'), lambda a, q: _depth_of(a, q, h, b, E_star, dgamma, sigma_0), d, _radii(h, b, E_star, dgamma, sigma_0))
     return _held_apart(d, h, b, E_star, dgamma, sigma_0) if np.isnan(a) else a
 
 
 def _radius_from_force(F, h, b, E_star, dgamma, sigma_0):
-    return radius_under(lambda a, start: _state(a, start, h, b, E_star, dgamma, sigma_0, 'force'), F, _radii(h, b, E_star, dgamma, sigma_0))
+    return radius_under(lambda a, start: _state(a, start, h, b, E_star, dgamma, sigma_0, 'force'), lambda a, q: _force_of(a, q, h, b, E_star, dgamma, sigma_0), F, _radii(h, b, E_star, dgamma, sigma_0))

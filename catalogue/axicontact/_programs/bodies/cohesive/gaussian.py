@@ -150,13 +150,13 @@ def _radii(h, s, E_star, dgamma, sigma_0):
 
 
 def _state(a, start, h, s, E_star, dgamma, sigma_0, control):
-    load = _force_of if control == 'force' else _depth_of
     growth = _growth(a, h, s)
-    return state_near(partial(_opened, h=h, s=s), growth, lambda q: load(a, q, h, s, E_star, dgamma, sigma_0), start, a, control, E_star, dgamma, sigma_0, difference_root(1.5019752682686114 * s, a))
+    return state_near(partial(_opened, h=h, s=s), growth, start, a, control, E_star, dgamma, sigma_0, difference_root(1.5019752682686114 * s, a))
 
 
 def _pull_off_radius(h, s, E_star, dgamma, sigma_0, control):
-    return radius_of_pull_off(lambda a, start: _state(a, start, h, s, E_star, dgamma, sigma_0, control), _radii(h, s, E_star, dgamma, sigma_0))
+    load = _force_of if control == 'force' else _depth_of
+    return radius_of_pull_off(lambda a, start: _state(a, start, h, s, E_star, dgamma, sigma_0, control), lambda a, q: load(a, q, h, s, E_star, dgamma, sigma_0), _radii(h, s, E_star, dgamma, sigma_0))
 
 
 def _parted(h, s, E_star, dgamma, sigma_0):
@@ -165,7 +165,7 @@ def _parted(h, s, E_star, dgamma, sigma_0):
 
 
 def _pull_off_zone(a, h, s, E_star, dgamma, sigma_0):
-    return either(a > 0.0, lambda: _zone(a, h, s, E_star, dgamma, sigma_0), lambda: _parted(h, s, E_star, dgamma, sigma_0) if a == 0.0 else np.nan)
+    return either(a > 0.0, lambda: root_of_zone(partial(_opened, h=h, s=s), a, E_star, dgamma, sigma_0, difference_root(1.5019752682686114 * s, a)), lambda: _parted(h, s, E_star, dgamma, sigma_0) if a == 0.0 else np.nan)
 
 
 def _pull_off_depth(a, q, h, s, E_star, dgamma, sigma_0):
@@ -179,9 +179,9 @@ def _held_apart(d, h, s, E_star, dgamma, sigma_0):
 
 
 def _radius_from_depth(d, h, s, E_star, dgamma, sigma_0):
-    a = radius_under(lambda a, start: _state(a, start, h, s, E_star, dgamma, sigma_0, 'depth'), d, _radii(h, s, E_star, dgamma, sigma_0))
+    a = radius_under(lambda a, start: _state(a, start, h, s, E_star, dgamma, sigma_0, 'depth'), lambda a, q: _depth_of(a, q, h, s, E_star, dgamma, sigma_0), d, _radii(h, s, E_star, dgamma, sigma_0))
     return _held_apart(d, h, s, E_star, dgamma, sigma_0) if np.isnan(a) else a
 
 
 def _radius_from_force(F, h, s, E_star, dgamma, sigma_0):
-    return radius_under(lambda a, start: _state(a, start, h, s, E_star, dgamma, sigma_0, 'force'), F, _radii(h, s, E_star, dgamma, sigma_0))
+    return radius_under(lambda a, start: _state(a, start, h, s, E_star, dgamma, sigma_0, 'force'), lambda a, q: _force_of(a, q, h, s, E_star, dgamma, sigma_0), F, _radii(h, s, E_star, dgamma, sigma_0))

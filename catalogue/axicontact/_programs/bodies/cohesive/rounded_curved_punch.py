@@ -204,13 +204,13 @@ def _radii(R1, R2, b, E_star, dgamma, sigma_0):
 
 
 def _state(a, start, R1, R2, b, E_star, dgamma, sigma_0, control):
-    load = _force_of if control == 'force' else _depth_of
     growth = _growth(a, R1, R2, b)
-    return state_near(partial(_opened, R1=R1, R2=R2, b=b), growth, lambda q: load(a, q, R1, R2, b, E_star, dgamma, sigma_0), start, a, control, E_star, dgamma, sigma_0)
+    return state_near(partial(_opened, R1=R1, R2=R2, b=b), growth, start, a, control, E_star, dgamma, sigma_0)
 
 
 def _pull_off_radius(R1, R2, b, E_star, dgamma, sigma_0, control):
-    return radius_of_pull_off(lambda a, start: _state(a, start, R1, R2, b, E_star, dgamma, sigma_0, control), _radii(R1, R2, b, E_star, dgamma, sigma_0))
+    load = _force_of if control == 'force' else _depth_of
+    return radius_of_pull_off(lambda a, start: _state(a, start, R1, R2, b, E_star, dgamma, sigma_0, control), lambda a, q: load(a, q, R1, R2, b, E_star, dgamma, sigma_0), _radii(R1, R2, b, E_star, dgamma, sigma_0))
 
 
 def _parted(R1, R2, b, E_star, dgamma, sigma_0):
@@ -219,7 +219,7 @@ def _parted(R1, R2, b, E_star, dgamma, sigma_0):
 
 
 def _pull_off_zone(a, R1, R2, b, E_star, dgamma, sigma_0):
-    return either(a > 0.0, lambda: _zone(a, R1, R2, b, E_star, dgamma, sigma_0), lambda: _parted(R1, R2, b, E_star, dgamma, sigma_0) if a == 0.0 else np.nan)
+    return either(a > 0.0, lambda: root_of_zone(partial(_opened, R1=R1, R2=R2, b=b), a, E_star, dgamma, sigma_0), lambda: _parted(R1, R2, b, E_star, dgamma, sigma_0) if a == 0.0 else np.nan)
 
 
 def _pull_off_depth(a, q, R1, R2, b, E_star, dgamma, sigma_0):
@@ -233,9 +233,9 @@ def _held_apart(d, R1, R2, b, E_star, dgamma, sigma_0):
 
 
 def _radius_from_depth(d, R1, R2, b, E_star, dgamma, sigma_0):
-    a = radius_under(lambda a, start: _state(a, start, R1, R2, b, E_star, dgamma, sigma_0, 'depth'), d, _radii(R1, R2, b, E_star, dgamma, sigma_0))
+    a = radius_under(lambda a, start: _state(a, start, R1, R2, b, E_star, dgamma, sigma_0, 'depth'), lambda a, q: _depth_of(a, q, R1, R2, b, E_star, dgamma, sigma_0), d, _radii(R1, R2, b, E_star, dgamma, sigma_0))
     return _held_apart(d, R1, R2, b, E_star, dgamma, sigma_0) if np.isnan(a) else a
 
 
 def _radius_from_force(F, R1, R2, b, E_star, dgamma, sigma_0):
-    return radius_under(lambda a, start: _state(a, start, R1, R2, b, E_star, dgamma, sigma_0, 'force'), F, _radii(R1, R2, b, E_star, dgamma, sigma_0))
+    return radius_under(lambda a, start: _state(a, start, R1, R2, b, E_star, dgamma, sigma_0, 'force'), lambda a, q: _force_of(a, q, R1, R2, b, E_star, dgamma, sigma_0), F, _radii(R1, R2, b, E_star, dgamma, sigma_0))

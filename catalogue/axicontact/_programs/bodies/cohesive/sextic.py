@@ -99,13 +99,13 @@ def _radii(A, E_star, dgamma, sigma_0):
 
 
 def _state(a, start, A, E_star, dgamma, sigma_0, control):
-    load = _force_of if control == 'force' else _depth_of
     growth = _growth(a, A)
-    return state_near(partial(_opened, A=A), growth, lambda q: load(a, q, A, E_star, dgamma, sigma_0), start, a, control, E_star, dgamma, sigma_0)
+    return state_near(partial(_opened, A=A), growth, start, a, control, E_star, dgamma, sigma_0)
 
 
 def _pull_off_radius(A, E_star, dgamma, sigma_0, control):
-    return radius_of_pull_off(lambda a, start: _state(a, start, A, E_star, dgamma, sigma_0, control), _radii(A, E_star, dgamma, sigma_0))
+    load = _force_of if control == 'force' else _depth_of
+    return radius_of_pull_off(lambda a, start: _state(a, start, A, E_star, dgamma, sigma_0, control), lambda a, q: load(a, q, A, E_star, dgamma, sigma_0), _radii(A, E_star, dgamma, sigma_0))
 
 
 def _parted(A, E_star, dgamma, sigma_0):
@@ -114,7 +114,7 @@ def _parted(A, E_star, dgamma, sigma_0):
 
 
 def _pull_off_zone(a, A, E_star, dgamma, sigma_0):
-    return either(a > 0.0, lambda: _zone(a, A, E_star, dgamma, sigma_0), lambda: _parted(A, E_star, dgamma, sigma_0) if a == 0.0 else np.nan)
+    return either(a > 0.0, lambda: root_of_zone(partial(_opened, A=A), a, E_star, dgamma, sigma_0), lambda: _parted(A, E_star, dgamma, sigma_0) if a == 0.0 else np.nan)
 
 
 def _pull_off_depth(a, q, A, E_star, dgamma, sigma_0):
@@ -128,9 +128,9 @@ def _held_apart(d, A, E_star, dgamma, sigma_0):
 
 
 def _radius_from_depth(d, A, E_star, dgamma, sigma_0):
-    a = radius_under(lambda a, start: _state(a, start, A, E_star, dgamma, sigma_0, 'depth'), d, _radii(A, E_star, dgamma, sigma_0))
+    a = radius_under(lambda a, start: _state(a, start, A, E_star, dgamma, sigma_0, 'depth'), lambda a, q: _depth_of(a, q, A, E_star, dgamma, sigma_0), d, _radii(A, E_star, dgamma, sigma_0))
     return _held_apart(d, A, E_star, dgamma, sigma_0) if np.isnan(a) else a
 
 
 def _radius_from_force(F, A, E_star, dgamma, sigma_0):
-    return radius_under(lambda a, start: _state(a, start, A, E_star, dgamma, sigma_0, 'force'), F, _radii(A, E_star, dgamma, sigma_0))
+    return radius_under(lambda a, start: _state(a, start, A, E_star, dgamma, sigma_0, 'force'), lambda a, q: _force_of(a, q, A, E_star, dgamma, sigma_0), F, _radii(A, E_star, dgamma, sigma_0))

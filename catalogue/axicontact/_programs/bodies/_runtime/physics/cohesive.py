@@ -140,5 +140,5 @@ def _ring(near, far, kc, end, within):
 
 def alone(opened, c, E_star, dgamma, sigma_0):
     """The depth of surfaces that attract each other up to the radius c without contact."""
-    gap, _ = opened(c, np.zeros_like(c))
+    gap = 0.0 if c == 0.0 else opened(c, np.zeros_like(c))[0]
     return gap - dgamma / sigma_0 - 4.0 / np.pi * (sigma_0 / E_star) * c

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 
+from ....._programs.bodies._runtime.interface import either
 from ....._programs.bodies._runtime.physics.cohesive import with_ring
-from ....._runtime.physics.cohesive_states import State, Stretch
+from ....._runtime.physics.cohesive_states import Array, State, Stretch
 from ....._runtime.plain import MATH as np
 
 ALIKE = 0.5
@@ -57,8 +58,8 @@ def radii_on_bump(first, largest):
     return Stretch(first, own, WITHIN * largest, False)
 
 
-def state_near(opened, growth, loaded, start, a, control, E_star, dgamma, sigma_0, largest=np.inf):
-    """The state at a contact radius from a guess of q, with g'(a) and the load as a function of q.
+def state_near(opened, growth, start, a, control, E_star, dgamma, sigma_0, largest=np.inf):
+    """The state at a contact radius from a guess of q, with g'(a).
 
     The last step to the root of the zone is not looked at: what it changes is known.  The gap is a function of a and c
     of a degree n, a dgap/da + c dgap/dc = n gap, and its rate one of the degree n - 1, as far as n is constant.
@@ -108,17 +109,23 @@ def state_near(opened, growth, loaded, start, a, control, E_star, dgamma, sigma_
     else:
         gain = a * growth - 2.0 * (sigma_0 / E_star) * q * widening
     steepening = steepening - bend * turn / level
-    return State(a, q, ratio / level if reached else np.nan, loaded(q), widening, steepening, gain, off, doubt)
+    return State(a, q, ratio / level if reached else np.nan, np.nan * a, widening, steepening, gain, off, doubt)
 
 
-def radius_of_pull_off(near, stretch):
+def radius_of_pull_off(near, loaded, stretch):
     """That of the least load: 0 where it falls as long as there is a contact, not a number beyond the profile."""
-    found = _walked(near, stretch, _by_ratio, _never)
-    return _least(_risen(near, found, stretch.first == stretch.first)).a
+    risen = _risen(near, _walked(near, stretch, _by_ratio, _never), stretch.first == stretch.first)
+    weighed = list[tuple[State, State, Array]]()
+    for start, high, grows in risen:
+        weighed.append((_weighed(loaded, start, grows), high, grows))
+    return _least(weighed).a
 
 
-def radius_under(near, value, stretch):
+def radius_under(near_to, loaded, value, stretch):
     """The largest radius with this load where the load grows, from that of the least load on."""
+
+    def near(a, start):
+        return _weighed(loaded, near_to(a, start), value == value)
 
     def missed(state):
         some, falls, below = (state.load > 0.0, state.ratio < 1.0, state.load < value)
@@ -129,9 +136,9 @@ def radius_under(near, value, stretch):
     if np.all(found[0].a > 0.0) and (not np.all(found[-1].load >= value)):
         found = _walked(near, stretch, missed, _never)
     sought = value == value
-    if len(stretch.radii) == 1:
-        for low, high in zip(found, found[1:], strict=False):
-            sought = sought & np.logical_not((low.ratio >= 1.0) & (low.load <= value) & (high.load >= value))
+    for low, high in zip(found, found[1:], strict=False):
+        grows = (low.a >= stretch.radii[-1]) & (low.ratio >= 1.0)
+        sought = sought & np.logical_not(grows & (low.load <= value) & (high.load >= value))
     risen, left = (_risen(near, found, sought), value < np.inf)
     least, a = (_least(risen), np.full_like(value, np.nan))
     for start, high, _ in risen[::-1]:
@@ -170,10 +177,12 @@ def parted_by(opened, first, corner, E_star, sigma_0):
     """The same for a profile with a break, at which its slope may jump."""
     near = _without_contact(opened, E_star, sigma_0)
     before, after, beyond = (near((1.0 - BESIDE) * corner, first), near((1.0 + BESIDE) * corner, first), first > corner)
-    low = _chosen(beyond & (after.ratio < 1.0), after, near(LEAST * first, first))
-    high = _chosen(beyond & (before.ratio >= 1.0), before, near(first, first))
-    jumps = beyond & (before.ratio < 1.0) & (after.ratio >= 1.0)
-    return corner if jumps else _least_depth(near, low, high)
+
+    def elsewhere():
+        low = _chosen(beyond & (after.ratio < 1.0), after, near(LEAST * first, first))
+        high = _chosen(beyond & (before.ratio >= 1.0), before, near(first, first))
+        return _least_depth(near, low, high)
+    return either(beyond & (before.ratio < 1.0) & (after.ratio >= 1.0), lambda: corner + 0.0 * first, elsewhere)
 
 
 def _without_contact(opened, E_star, sigma_0):
@@ -208,6 +217,12 @@ def _by_load(value, least):
     return missed
 
 
+def _weighed(loaded, state, asked):
+    """A state with its load where that is asked for."""
+    load = either(asked, lambda: loaded(state.a, state.q), lambda: np.full_like(state.a, np.inf))
+    return state._replace(load=load)
+
+
 def _none(state):
     """In the place of a state: there is none."""
     nothing = np.full_like(state.a, np.nan)
@@ -225,23 +240,39 @@ def _never(state):
 def _walked(near, stretch, missed, enough):
     """States in ascending order on to where nothing is missed, or to the end of the profile.
 
-    They begin at the highest of the radii at which there is `enough`, without a contact if there is none.
+    They begin at the highest of the radii if there is `enough` there or beyond, or further down: at the highest with
+    enough, without a contact if there is none.
     """
-    first, own, top, rises = stretch
-    states = list[State]()
-    for a in own[::-1]:
-        states.append(near(a, _guess(states[-1], a) if states else first))
+    first, own, top, _ = stretch
+    beyond = _beyond(near, near(own[-1], first), stretch, missed)
+    met = enough(beyond[0])
+    for here in beyond[1:]:
+        met = met | enough(here)
+    if np.all(met):
+        return beyond
+    states = beyond[:1]
+    for a in own[:-1][::-1]:
+        states.append(near(a, _guess(states[-1], a)))
         if np.all(enough(states[-1])):
             break
     found = [] if np.all(enough(states[-1])) else [near(np.zeros_like(first), first)]
-    for here, a in zip(states[::-1], own[-len(states):], strict=True):
+    for here in [*states[1:][::-1], *beyond]:
         reached = here.ratio == here.ratio
+        top = top if reached else np.minimum(here.a, top)
         found.append(_chosen(reached, here, found[-1]) if found else here)
-        top = top if reached else np.minimum(a, top)
-    last, step, ended = (found[-1], np.full_like(first, SHORTEST), first != first)
+    if not np.all(beyond[0].ratio == beyond[0].ratio):
+        found = [*found, *_beyond(near, found[-1], stretch._replace(top=top), missed)[1:]]
+    return found
+
+
+def _beyond(near, last, stretch, missed):
+    """A state and those beyond it, as long as something is missed."""
+    found, top, rises = ([last], stretch.top, stretch.rises)
+    step, ended = (np.full_like(last.a, SHORTEST), last.a != last.a)
     for _ in range(WALKED):
         short, rate = missed(last)
         more = (short < 0.0) & (last.a * (1.0 + CLOSE) < top) & (rises | (last.ratio >= 1.0))
+        more = more & (last.ratio == last.ratio)
         if not np.count_nonzero(more):
             break
         aimed = -BEYOND * short / (rate if rate > 0.0 else 1.0) if rate > 0.0 else step
@@ -257,8 +288,8 @@ def _walked(near, stretch, missed, enough):
 
 
 def _guess(state, a):
-    """q at another radius."""
-    known = (state.a > 0.0) & (state.ratio == state.ratio)
+    """q at another radius; next to a break its rate is that of the break alone."""
+    known = (state.a > 0.0) & (state.ratio == state.ratio) & (np.abs(state.widening) < 1.0 / NARROWEST)
     wider = np.log(a / (state.a if known else 1.0) if known else 1.0) * (state.widening if known else 0.0)
     return state.q * np.exp(np.minimum(np.maximum(wider, -FURTHEST), FURTHEST))
 
@@ -286,13 +317,15 @@ def _between(near, missed, low, high, holds, exact=False):
             halved = halved | sure & (4.0 * np.abs(aim - x) > moved)
         aim = 0.5 * (bottom + top) if halved else aim
         step = np.abs(aim - x)
-        best = _chosen(left, here._replace(a=unit * np.exp(aim)), best)
+        a = unit * np.exp(aim)
+        q = _guess(here, a)
+        best = _chosen(left, here._replace(a=a, q=q), best)
         narrow = here.q <= NARROW * here.a
         after = 1.0 if halved else np.maximum(moved, step) if narrow | (not exact) else step
         left = left & ((step * after > SETTLED) | (np.abs(here.off) > FINE) | (np.abs(y) > SMALL))
         if not np.count_nonzero(left):
             break
-        here = near(unit * np.exp(aim), _guess(here, unit * np.exp(aim)))
+        here = near(a, q)
         before, x, moved = ((x, y), aim, step)
         y, rate = missed(here)
         alike = (moved < ALIKE) & (moved > 0.0) & (narrow | (not exact)) & (before[1] > -np.inf) & (y > -np.inf)
