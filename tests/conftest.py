@@ -18,6 +18,8 @@ from hypothesis.internal.conjecture import providers
 
 # SymPy keeps all its results, as in a build; it asks for this when it is imported
 os.environ.setdefault("SYMPY_CACHE_SIZE", "None")
+# the workers share the cores: with threads of its own a rule of 240 points took twenty times as long
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 from stored_book import CATALOGUE, KEYS, evidence, kernels, receipts, record, stored
 

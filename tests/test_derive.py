@@ -125,7 +125,7 @@ def test_a_new_polynomial_profile_is_derived_and_compared_once(monkeypatch):
 
     counted(normal, "derive")
     counted(Definition, "_over_angle")
-    module_of("r**2/(2*R) + c*r**4 + q*r**6", names=list(NORMAL.physics.wanted))
+    module_of("r**2/(2*R) + q*r**6", names=list(NORMAL.physics.wanted))
     assert calls.count("derive") <= 2
     assert calls.count("_over_angle") <= 24
 
@@ -219,9 +219,7 @@ def test_many_random_piecewise_polynomials(seed):
     held_out(seed)
 
 
-@pytest.mark.parametrize(
-    "text", ["q*r**2 + c*r**4", pytest.param("q*r**2 + c*Max(0, r - b)**2", marks=pytest.mark.slow)]
-)
+@pytest.mark.parametrize("text", ["q*r**3", pytest.param("q*r**2 + c*Max(0, r - b)**2", marks=pytest.mark.slow)])
 def test_the_written_test_runs_with_plain_python(text: str, tmp_path: Path, capsys):
     assert main(["derive", "--out", str(tmp_path), "--", text]) == 0
     assert "closed, certified" in capsys.readouterr().out
