@@ -85,9 +85,10 @@ def _states(writer: Writer, opened: str) -> None:
         ring = f"parted_by({opened}, first, {border}, E_star, sigma_0)"
     writer.rule("_parted", [], needs, [first, f"return {ring}"])
     # that it is within the profile is known of a radius that was found
-    zone = f"root_of_zone({', '.join(filter(None, [opened, 'a, E_star, dgamma, sigma_0', _largest(writer)]))})"
+    ends = [f"largest = {largest}"] if (largest := _largest(writer)) else []
+    zone = f"root_of_zone({opened}, a, E_star, dgamma, sigma_0{', largest' if largest else ''})"
     without = f"np.where(a == 0.0, _parted({given}), np.nan)"
-    writer.rule("_pull_off_zone", ["a"], needs, [f"return either(a > 0.0, lambda: {zone}, lambda: {without})"])
+    writer.rule("_pull_off_zone", ["a"], needs, [*ends, f"return either(a > 0.0, lambda: {zone}, lambda: {without})"])
     depth = f"return either(a > 0.0, lambda: _depth_of(a, q, {given}), lambda: {apart.format('q')})"
     writer.rule("_pull_off_depth", ["a", "q"], needs, [depth])
     closed = "np.where(depth <= -sunk(c, E_star, sigma_0), {}, np.nan)"
