@@ -44,7 +44,7 @@ LATER = (
 within a radius and energy; the work of adhesion from a pull-off force; other languages and calculators."""
 WHOLE = 69098
 """Lines with all of that; 3 of them refuse a scene without a program before anything is integrated, 261 are closed
-forms and shorter rules of fields, 112 states of cohesive zones that know how they go on, weighed where that is asked."""
+forms and shorter rules of fields, 112 states of cohesive zones that know how they go on, weighed where asked."""
 FULL = {"physics": 17}
 """Folders with more than 15 files: each physics is one, whatever else they rest on."""
 PHYSICS = {"normal", "adhesive", "tangential", "viscoelastic", "plane", "graded", "loads", "materials", "detachment"}
