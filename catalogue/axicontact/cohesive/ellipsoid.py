@@ -686,9 +686,10 @@ def _parted(h: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) ->
 
 
 def _pull_off_zone(a: Array, h: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
+    largest = difference_root(b, a)
     return either(
         a > 0.0,
-        lambda: root_of_zone(partial(_opened, h=h, b=b), a, E_star, dgamma, sigma_0, difference_root(b, a)),
+        lambda: root_of_zone(partial(_opened, h=h, b=b), a, E_star, dgamma, sigma_0, largest),
         lambda: np.where(a == 0.0, _parted(h, b, E_star, dgamma, sigma_0), np.nan),
     )
 

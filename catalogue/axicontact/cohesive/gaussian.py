@@ -697,9 +697,10 @@ def _parted(h: Array, s: Array, E_star: Array, dgamma: Array, sigma_0: Array) ->
 
 
 def _pull_off_zone(a: Array, h: Array, s: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
+    largest = difference_root(1.5019752682686114 * s, a)
     return either(
         a > 0.0,
-        lambda: root_of_zone(partial(_opened, h=h, s=s), a, E_star, dgamma, sigma_0, difference_root(1.5019752682686114 * s, a)),
+        lambda: root_of_zone(partial(_opened, h=h, s=s), a, E_star, dgamma, sigma_0, largest),
         lambda: np.where(a == 0.0, _parted(h, s, E_star, dgamma, sigma_0), np.nan),
     )
 

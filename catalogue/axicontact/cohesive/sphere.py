@@ -649,9 +649,10 @@ def _parted(R: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
 
 
 def _pull_off_zone(a: Array, R: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
+    largest = difference_root(R, a)
     return either(
         a > 0.0,
-        lambda: root_of_zone(partial(_opened, R=R), a, E_star, dgamma, sigma_0, difference_root(R, a)),
+        lambda: root_of_zone(partial(_opened, R=R), a, E_star, dgamma, sigma_0, largest),
         lambda: np.where(a == 0.0, _parted(R, E_star, dgamma, sigma_0), np.nan),
     )
 

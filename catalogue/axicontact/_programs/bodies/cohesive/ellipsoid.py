@@ -130,7 +130,8 @@ def _parted(h, b, E_star, dgamma, sigma_0):
 
 
 def _pull_off_zone(a, h, b, E_star, dgamma, sigma_0):
-    return either(a > 0.0, lambda: root_of_zone(partial(_opened, h=h, b=b), a, E_star, dgamma, sigma_0, difference_root(b, a)), lambda: _parted(h, b, E_star, dgamma, sigma_0) if a == 0.0 else np.nan)
+    largest = difference_root(b, a)
+    return either(a > 0.0, lambda: root_of_zone(partial(_opened, h=h, b=b), a, E_star, dgamma, sigma_0, largest), lambda: _parted(h, b, E_star, dgamma, sigma_0) if a == 0.0 else np.nan)
 
 
 def _pull_off_depth(a, q, h, b, E_star, dgamma, sigma_0):

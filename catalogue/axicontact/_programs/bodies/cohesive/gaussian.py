@@ -165,7 +165,8 @@ def _parted(h, s, E_star, dgamma, sigma_0):
 
 
 def _pull_off_zone(a, h, s, E_star, dgamma, sigma_0):
-    return either(a > 0.0, lambda: root_of_zone(partial(_opened, h=h, s=s), a, E_star, dgamma, sigma_0, difference_root(1.5019752682686114 * s, a)), lambda: _parted(h, s, E_star, dgamma, sigma_0) if a == 0.0 else np.nan)
+    largest = difference_root(1.5019752682686114 * s, a)
+    return either(a > 0.0, lambda: root_of_zone(partial(_opened, h=h, s=s), a, E_star, dgamma, sigma_0, largest), lambda: _parted(h, s, E_star, dgamma, sigma_0) if a == 0.0 else np.nan)
 
 
 def _pull_off_depth(a, q, h, s, E_star, dgamma, sigma_0):

@@ -129,7 +129,8 @@ def _parted(R, E_star, dgamma, sigma_0):
 
 
 def _pull_off_zone(a, R, E_star, dgamma, sigma_0):
-    return either(a > 0.0, lambda: root_of_zone(partial(_opened, R=R), a, E_star, dgamma, sigma_0, difference_root(R, a)), lambda: _parted(R, E_star, dgamma, sigma_0) if a == 0.0 else np.nan)
+    largest = difference_root(R, a)
+    return either(a > 0.0, lambda: root_of_zone(partial(_opened, R=R), a, E_star, dgamma, sigma_0, largest), lambda: _parted(R, E_star, dgamma, sigma_0) if a == 0.0 else np.nan)
 
 
 def _pull_off_depth(a, q, R, E_star, dgamma, sigma_0):
