@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from functools import cache
 from importlib import import_module
@@ -13,6 +14,7 @@ import pytest
 import sympy as sp
 from false_entries import below, record
 
+from axicontact._runtime.physics import relaxation, single
 from axicontact.expressions import expression
 from axiderive import notation as nt
 from axiderive.checks import viscoelastic as viscoelastic_checks
@@ -436,3 +438,12 @@ def test_the_module_keeps_its_digits_over_twenty_decades(name: str, law: str) ->
         count += 1
         found = getattr(module(name), f"retract_force_{law}")(t, **SHAPE[name], **given)
         assert abs(found / wanted - 1) < 1e-14 + 8 * spread, given
+
+
+def test_springs_of_single_numbers_are_those_of_arrays() -> None:
+    low, high = 0.3, 2.0
+    alone = single.springs(lambda x: math.exp(-x), low, high)
+    along = relaxation.springs(lambda x: np.exp(-x), np.array(low), np.array(high))
+    assert alone == pytest.approx(math.exp(-low) - math.exp(-high), rel=1e-15)
+    assert abs(alone - along) <= 4.0 * np.spacing(alone)
+    assert single.springs(lambda x: 1.0 / x, 1.0, 1.0) == 0.0
