@@ -14,8 +14,8 @@ import pytest
 import sympy as sp
 from false_entries import below, record
 
+from axicontact._runtime.physics import relaxation as summed
 from axicontact._runtime.physics import single
-from axicontact._runtime.physics.relaxation import springs
 from axicontact.expressions import expression
 from axiderive import notation as nt
 from axiderive.checks import viscoelastic as viscoelastic_checks
@@ -444,7 +444,7 @@ def test_the_module_keeps_its_digits_over_twenty_decades(name: str, law: str) ->
 def test_springs_of_single_numbers_are_those_of_arrays() -> None:
     low, high = 0.3, 2.0
     alone = single.springs(lambda x: math.exp(-x), low, high)
-    along = springs(lambda x: np.exp(-x), np.array(low), np.array(high))
+    along = summed.springs(lambda x: np.exp(-x), np.array(low), np.array(high))
     assert alone == pytest.approx(math.exp(-low) - math.exp(-high), rel=1e-15)
     assert abs(alone - along) <= 4.0 * np.spacing(alone)
     assert single.springs(lambda x: 1.0 / x, 1.0, 1.0) == 0.0
