@@ -58,10 +58,9 @@ def claim(one: Row, entry: Entry, case: Case, entries: Entries, base: Entries) -
         return _law(entry, case, base)
     if own.inverts or own.symbol == nt.a_c:
         return Claim((*slip, *_balance(entry, case)))
-    if own.member:
-        ring = next(one for one in entries.values() if one.quantity.symbol == nt.r_peak)
-        return Claim(((nt.r_peak, ring),), case.expr)
-    return Claim(_pulled(entry, case, entries), case.expr)
+    rings = [one for one in entries.values() if own.member and one.quantity.symbol == nt.r_peak]
+    known = ((nt.r_peak, one) for one in rings if one.status == "closed")
+    return Claim((*known, *_pulled(entry, case, entries)), case.expr)
 
 
 def _slip(entry: Entry, base: Entries) -> Given:
