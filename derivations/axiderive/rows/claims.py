@@ -59,8 +59,8 @@ def claim(one: Row, entry: Entry, case: Case, entries: Entries, base: Entries) -
     if own.inverts or own.symbol == nt.a_c:
         return Claim((*slip, *_balance(entry, case)))
     rings = [one for one in entries.values() if own.member and one.quantity.symbol == nt.r_peak]
-    known = ((nt.r_peak, one) for one in rings if one.status == "closed")
-    return Claim((*known, *_pulled(entry, case, entries)), case.expr)
+    ring = ((nt.r_peak, one) for one in rings if one.status == "closed")
+    return Claim((*ring, *_pulled(entry, case, entries)), case.expr)
 
 
 def _slip(entry: Entry, base: Entries) -> Given:
