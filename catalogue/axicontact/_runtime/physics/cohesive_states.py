@@ -172,7 +172,7 @@ def state_near(
 def radius_of_pull_off(near: Near, loaded: Loaded, stretch: Stretch) -> Array:
     """That of the least load: 0 where it falls as long as there is a contact, not a number beyond the profile."""
     risen = _risen(near, _walked(near, stretch, _by_ratio, _never), stretch.first == stretch.first)
-    weighed = list[tuple[State, State, Array]]()
+    weighed = []
     for start, high, grows in risen:
         weighed.append((_weighed(loaded, start, grows), high, grows))
     return _least(weighed).a

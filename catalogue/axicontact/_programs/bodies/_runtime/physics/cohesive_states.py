@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from ....._programs.bodies._runtime.interface import either
 from ....._programs.bodies._runtime.physics.cohesive import with_ring
-from ....._runtime.physics.cohesive_states import Array, State, Stretch
+from ....._runtime.physics.cohesive_states import State, Stretch
 from ....._runtime.plain import MATH as np
 
 ALIKE = 0.5
@@ -115,7 +115,7 @@ def state_near(opened, growth, start, a, control, E_star, dgamma, sigma_0, large
 def radius_of_pull_off(near, loaded, stretch):
     """That of the least load: 0 where it falls as long as there is a contact, not a number beyond the profile."""
     risen = _risen(near, _walked(near, stretch, _by_ratio, _never), stretch.first == stretch.first)
-    weighed = list[tuple[State, State, Array]]()
+    weighed = []
     for start, high, grows in risen:
         weighed.append((_weighed(loaded, start, grows), high, grows))
     return _least(weighed).a
