@@ -184,7 +184,7 @@ def test_where_a_contact_with_a_cohesive_zone_breaks(profile, count, tmp_path):
 @pytest.mark.parametrize(
     ("right", "wrong", "found"),
     [
-        ("        dgamma,\n", "        1.01 * dgamma,\n", "pull_off"),
+        ("E_star, dgamma, sigma_0, control),\n", "E_star, 1.01 * dgamma, sigma_0, control),\n", "pull_off"),
         ("        F,\n", "        1.01 * F,\n", "radius_from_force"),
         ("        d,\n", "        1.01 * d,\n", "radius_from_depth"),
     ],
