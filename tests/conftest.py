@@ -49,8 +49,9 @@ settings.load_profile("repeatable")
 # on the tests that a worker had run before
 providers._get_local_constants = lambda: providers._local_constants
 
-# what lies in circles stays, a tenth of all objects: to look for it took 4 % of a run, in the end a second each time
-gc.disable()
+# what lies in circles is a tenth of all objects: to look for it more often took 4 % of a run, in the end a second each
+# time; never, and a long run of slow tests would keep it all
+gc.set_threshold(1_000_000, 50, 50)
 
 
 SLOW = (Path(__file__).parent / "slow.txt").read_text(encoding="utf-8").splitlines()
