@@ -200,6 +200,14 @@ def test_below_a_tip_and_a_kink_the_stress_grows_like_the_logarithm_of_the_depth
     assert np.diff(found)[0] < -1.0
 
 
+@pytest.mark.parametrize(("name", "end"), [("sphere", "R"), ("ellipsoid", "b")])
+def test_the_radius_of_a_sphere_is_a_place_like_any_other(name: str, end: str) -> None:
+    fields, _, geometry, a, _ = contact(name)
+    r = geometry[end] * np.array([1.0 - 1e-6, 1.0, 1.0 + 1e-6])
+    low, here, high = np.array(fields.stress(r, 0.0, a, E_star=E_STAR, nu=NU, **geometry))[:2].T
+    assert here == pytest.approx(0.5 * (low + high), rel=1e-10)
+
+
 def test_no_points_have_no_stresses() -> None:
     found = subsurface.sphere.stress([], 0.1, 0.9, R=1.5, E_star=E_STAR, nu=NU)
     assert [own.shape for own in found] == [(0,)] * 4
