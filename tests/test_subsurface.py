@@ -208,6 +208,14 @@ def test_the_radius_of_a_sphere_is_a_place_like_any_other(name: str, end: str) -
     assert here == pytest.approx(0.5 * (low + high), rel=1e-10)
 
 
+def test_next_to_an_edge_any_unit_of_length_will_do() -> None:
+    """The square of such a depth is nothing in the smaller unit."""
+    small, large = (
+        subsurface.flat_punch.stress(unit, 1e-100 * unit, unit, a=unit, E_star=E_STAR, nu=NU) for unit in (1e-100, 1.0)
+    )
+    assert small == pytest.approx(large, rel=1e-12)
+
+
 def test_no_points_have_no_stresses() -> None:
     found = subsurface.sphere.stress([], 0.1, 0.9, R=1.5, E_star=E_STAR, nu=NU)
     assert [own.shape for own in found] == [(0,)] * 4
