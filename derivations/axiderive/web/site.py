@@ -43,29 +43,9 @@ def html_sources(
     studies: Mapping[str, Any] | None = None,
     profiles: Iterable[str] = (),
 ) -> dict[str, str]:
-    """All files of the web edition.
+    """All files of the web edition by path below `handbook/html`, from what `handbook_sources` takes.
 
-    Parameters
-    ----------
-    derived : mapping
-        Entries by suffix, by key of the problem.
-    evidence : mapping, optional
-        What was checked, by key of the problem; missing records are said to be missing.
-    chapter11 : mapping, optional
-        Record of the checks of the chapter.
-    models : mapping, optional
-        What `handbook.page_models` gives, where it is at hand.
-    modules : mapping, optional
-        Generated modules by path, from which the calls are read, where they are at hand.
-    studies : mapping, optional
-        Records of `axicontact study` by name: error, speed, maps, extremes.
-    profiles : iterable of str, optional
-        Further profiles that the edition has pages of, to which links lead.
-
-    Returns
-    -------
-    dict of str to str
-        Text by path below `handbook/html`.
+    The calls are read from generated `modules` by path; links lead to further `profiles` that the edition has pages of.
     """
     evidence = evidence or {}
     models = page_models(derived, evidence) if models is None else models

@@ -24,15 +24,15 @@ LEAST, SHORT, BESIDE = 1e-20, 1e-2, 2.0**-51
 over that of a break: what is beside it."""
 WALKED, STEPS, LOOKS, CLOSE = 90, 80, 60, 1e-9
 """States of a walk and of a search, looks at one of them, and how near a walk comes to the end of a profile."""
-DEGREES, STIFF, ROUGH, FURTHEST, FINE = (0.5, 16.0), 1e8, 0.2, 3.0, 1e-7
+DEGREES, STIFF, ROUGH, FURTHEST, FINE, NOISE = (0.5, 16.0), 1e8, 0.2, 3.0, 1e-7, 1e-13
 """Degrees of the gap but next to breaks, and in the place of one where there is no gap yet; what the last step may
-change by itself, the largest step in ln q, and one that leaves a state exact."""
+change by itself, the largest step in ln q, one that leaves a load exact, and one that is rounding."""
 NARROW, NARROWEST = 1e-4, 1e-6
 """Over a: a q at which the degree of the gap has lost half of its digits, and at which it is nearly all rounding."""
 SETTLED, SMALL, PATIENCE, STEEP = 1e-15, 1e-4, 8, 8.0
 """What a last step leaves and what is missed before it, where a search ends; the steps after which every other one
 halves unless it gets shorter; and the rate, over that of the chord, where none begins."""
-ROUNDING, MARGIN, ALIKE = 1e-15, 0.05, 0.5
+ROUNDING, MARGIN, ALIKE = 4e-15, 0.05, 0.5
 """How far below pull-off a load counts as that; in ln a: how far beyond a state in doubt the root may be, and the
 length of a secant."""
 SHORTEST, LONGEST, BEYOND = 0.7, 27.0, 1.2
@@ -58,6 +58,8 @@ class State(NamedTuple):
     """How far ln q was from the root at the last look."""
     doubt: Array
     """What that may leave wrong of ln ratio."""
+    blur: Array
+    """What that may leave wrong of the load."""
 
 
 class Stretch(NamedTuple):
@@ -76,8 +78,8 @@ Near = Callable[[Array, Array], State]
 """The state at a radius, from a guess of q."""
 Loaded = Callable[[Array, Array], Array]
 """The load at a radius and a q."""
-Missed = Callable[[State], tuple[Array, Array]]
-"""Below 0 before what is looked for, above 0 beyond; and its rate with ln a."""
+Missed = Callable[[State], tuple[Array, Array, Array]]
+"""Below 0 before what is looked for, above 0 beyond; its rate with ln a; and what may be wrong of it."""
 
 
 def radii(first: Array) -> Stretch:
@@ -162,34 +164,39 @@ def state_near(
         # what the ring adds to the gap and takes of the load has fallen out
         level, bend, ratio = cosine * short + angle * angle, (2.0 * cosine - 1.0) * sine + 2.0 * angle, ratio * cosine
         steepening = steepening + sine * sine * (1.0 - widening)
-        gain = 2.0 * E_star * a * a * growth - 4.0 * sigma_0 * (a * a * angle + q * (q * angle + a) * widening)
+        pull = 4.0 * sigma_0 * q * (q * angle + a)
+        gain = 2.0 * E_star * a * a * growth - 4.0 * sigma_0 * a * a * angle - pull * widening
     else:
-        gain = a * growth - 2.0 * (sigma_0 / E_star) * q * widening
+        pull = 2.0 * (sigma_0 / E_star) * q
+        gain = a * growth - pull * widening
     steepening = steepening - bend * turn / level
-    return State(a, q, np.where(reached, ratio / level, np.nan), np.nan * a, widening, steepening, gain, off, doubt)
+    ratio, blur = np.where(reached, ratio / level, np.nan), pull * np.abs(off) * doubt
+    return State(a, q, ratio, np.nan * a, widening, steepening, gain, off, doubt, blur)
 
 
 def radius_of_pull_off(near: Near, loaded: Loaded, stretch: Stretch) -> Array:
     """That of the least load: 0 where it falls as long as there is a contact, not a number beyond the profile."""
     risen = _risen(near, _walked(near, stretch, _by_ratio, _never), stretch.first == stretch.first)
-    weighed = []
-    for start, high, grows in risen:
-        weighed.append((_weighed(loaded, start, grows), high, grows))
-    return _least(weighed).a
+    return _least([(_weighed(loaded, start, grows), high, grows) for start, high, grows in risen]).a
 
 
 def radius_under(near_to: Near, loaded: Loaded, value: Array, stretch: Stretch) -> Array:
     """The largest radius with this load where the load grows, from that of the least load on."""
 
     def near(a: Array, start: Array) -> State:
-        return _weighed(loaded, near_to(a, start), value == value)
+        # one that is on neither side of the value is looked at again
+        state = _weighed(loaded, near_to(a, start), value == value)
+        unclear = (np.abs(state.load - value) <= state.blur) & (np.abs(state.off) > NOISE)
+        if not np.count_nonzero(unclear):
+            return state
+        return _chosen(unclear, _weighed(loaded, near_to(a, state.q), value == value), state)
 
-    def missed(state: State) -> tuple[Array, Array]:
+    def missed(state: State) -> tuple[Array, Array, Array]:
         # a load that falls, or is nothing yet, says nothing of the way
         some, falls, below = state.load > 0.0, state.ratio < 1.0, state.load < value
         far = np.where(some, np.log(np.maximum(state.load, LEAST * value) / value), -SHORTEST)
         rate = np.where(falls, state.steepening, np.where(some, state.gain / np.where(some, state.load, 1.0), 0.0))
-        return np.where(falls, np.log(state.ratio), np.where(below, far, 0.0)), rate
+        return np.where(falls, np.log(state.ratio), np.where(below, far, 0.0)), rate, state.doubt
 
     # where the load grows at a radius and is below the value, and reaches it above, minima further down do not matter
     found = _walked(near, stretch, missed, lambda state: (state.ratio >= 1.0) & (state.load <= value))
@@ -252,7 +259,7 @@ def _without_contact(opened: Opening, E_star: Array, sigma_0: Array) -> Near:
         gap, rate = opened(c, np.zeros_like(c))
         ratio, known = rate / (4.0 / np.pi * (sigma_0 / E_star)), gap > 0.0
         degree = np.where(known, c * rate / np.where(known, gap, 1.0), 2.0)
-        return State(c, c, ratio, ratio, np.ones_like(c), degree - 1.0, ratio, 0.0 * q, 0.0 * q)
+        return State(c, c, ratio, ratio, np.ones_like(c), degree - 1.0, ratio, 0.0 * q, 0.0 * q, 0.0 * q)
 
     return near
 
@@ -262,8 +269,8 @@ def _least_depth(near: Near, low: State, high: State) -> Array:
     return np.where(np.isnan(least.a), 0.0, least.a)
 
 
-def _by_ratio(state: State) -> tuple[Array, Array]:
-    return np.log(state.ratio), state.steepening
+def _by_ratio(state: State) -> tuple[Array, Array, Array]:
+    return np.log(state.ratio), state.steepening, state.doubt
 
 
 def _by_load(value: Array, least: State) -> Missed:
@@ -271,11 +278,11 @@ def _by_load(value: Array, least: State) -> Missed:
     size = np.abs(least.load)
     wanted = np.sqrt((value - least.load) / size)
 
-    def missed(state: State) -> tuple[Array, Array]:
+    def missed(state: State) -> tuple[Array, Array, Array]:
         known = np.sqrt(np.maximum(state.load - least.load, 0.0) / size)
         same = np.abs(state.load - value) <= ROUNDING * (size + np.abs(value))
-        rate = state.gain / size / np.where(known > 0.0, 2.0 * known * (1.0 + known), 1.0)
-        return np.where(same, 0.0, np.log1p(known) - np.log1p(wanted)), rate
+        slope = 1.0 / size / np.where(known > 0.0, 2.0 * known * (1.0 + known), 1.0)
+        return np.where(same, 0.0, np.log1p(known) - np.log1p(wanted)), state.gain * slope, state.blur * slope
 
     return missed
 
@@ -334,7 +341,7 @@ def _beyond(near: Near, last: State, stretch: Stretch, missed: Missed) -> list[S
     found, top, rises = [last], stretch.top, stretch.rises
     step, ended = np.full_like(last.a, SHORTEST), last.a != last.a
     for _ in range(WALKED):
-        short, rate = missed(last)
+        short, rate, _ = missed(last)
         more = (short < 0.0) & (last.a * (1.0 + CLOSE) < top) & (rises | (last.ratio >= 1.0))
         more = more & (last.ratio == last.ratio)
         if not np.count_nonzero(more):
@@ -362,9 +369,9 @@ def _guess(state: State, a: Array) -> Array:
 def _between(near: Near, missed: Missed, low: State, high: State, holds: Array, exact: bool = False) -> State:
     """Where what is missed changes its sign between two states, by steps along its rate, or secants, or halves."""
     unit = high.a
-    (y_low, rate_low), (y, rate) = missed(low), missed(high)
-    bottom = np.log(np.maximum(low.a / unit, LEAST)) - np.where(np.abs(y_low) < low.doubt, MARGIN, 0.0)
-    top = np.where(np.abs(y) < high.doubt, MARGIN, 0.0 * unit)
+    (y_low, rate_low, doubt_low), (y, rate, doubt) = missed(low), missed(high)
+    bottom = np.log(np.maximum(low.a / unit, LEAST)) - np.where(np.abs(y_low) < doubt_low, MARGIN, 0.0)
+    top = np.where(np.abs(y) < doubt, MARGIN, 0.0 * unit)
     holds = holds & (y_low < 0.0)
     if not np.count_nonzero(holds):
         return _none(high)
@@ -372,14 +379,18 @@ def _between(near: Near, missed: Missed, low: State, high: State, holds: Array, 
     closer = (low.a > 0.0) & (-y_low < y) & (rate_low * (top - bottom) < STEEP * (y - y_low))
     here, best, left = _chosen(closer, low, high), high, holds
     x = np.where(closer, np.log(np.maximum(low.a / unit, LEAST)), 0.0)
-    (y, rate), moved = missed(here), unit
+    (y, rate, doubt), moved, bend = missed(here), np.ones_like(unit), np.ones_like(unit) / SETTLED
     for number in range(STEPS):
-        sure = (np.abs(y) >= here.doubt) | (np.abs(here.off) <= FINE)
+        # in doubt it may be on the other side of a break; before one, the rate of no gap does not tell
+        sure = (np.minimum(np.abs(y), ROUGH) >= doubt) & (y > -np.inf)
+        sure = sure | (np.abs(here.off) <= NOISE)
         bottom = np.where(sure & (y < 0.0), np.maximum(bottom, x), bottom)
         top = np.where(sure & (y > 0.0), np.minimum(top, x), top)
         # a state in doubt is looked at again
         aim = np.where(sure, x - y / np.where(rate > 0.0, rate, 1.0), x)
-        halved = np.logical_not((aim >= bottom) & (aim <= top))
+        # nor does a rate that is infinite lead anywhere
+        stuck = sure & (np.abs(y) > SMALL) & (np.abs(aim - x) <= SETTLED)
+        halved = stuck | np.logical_not((aim >= bottom) & (aim <= top))
         if number >= PATIENCE and number % 2 == 0:
             halved = halved | (sure & (4.0 * np.abs(aim - x) > moved))
         aim = np.where(halved, 0.5 * (bottom + top), aim)
@@ -389,13 +400,21 @@ def _between(near: Near, missed: Missed, low: State, high: State, holds: Array, 
         best = _chosen(left, here._replace(a=a, q=q), best)
         narrow = here.q <= NARROW * here.a
         after = np.where(halved, 1.0, np.where(narrow | (not exact), np.maximum(moved, step), step))
-        left = left & ((step * after > SETTLED) | (np.abs(here.off) > FINE) | (np.abs(y) > SMALL))
+        known = sure & (np.abs(here.off) <= FINE) & (np.abs(y) <= SMALL)
+        left = left & ((step * after * bend > SETTLED) | np.logical_not(known))
+        # where what is missed jumps, as close as numbers are, and before it: beyond a break loads grow steeply
+        closed = top - bottom <= 0.25 * SETTLED
+        best, left = _chosen(left & closed, best._replace(a=unit * np.exp(bottom)), best), left & np.logical_not(closed)
         if not np.count_nonzero(left):
             break
         here = near(a, q)
-        before, x, moved = (x, y), aim, step
-        y, rate = missed(here)
+        before, x, moved = (x, y, rate), aim, step
+        y, rate, doubt = missed(here)
         alike = (moved < ALIKE) & (moved > 0.0) & (narrow | (not exact)) & (before[1] > -np.inf) & (y > -np.inf)
         secant = np.where(alike, (y - before[1]) / np.where(alike, x - before[0], 1.0), 0.0)
         rate = np.where(secant > 0.0, secant, rate)
+        # beyond a break the rate changes as fast as the root of what is left to it
+        apart = moved * np.where(rate > 0.0, rate, 0.0)
+        turned = np.abs(rate - before[2]) / np.where(apart > 0.0, apart, 1.0)
+        bend = np.where((apart > 0.0) & (turned < np.inf), np.maximum(turned, 1.0), bend)
     return _chosen(holds, best, _none(best))
