@@ -35,7 +35,7 @@ def handbook_sources(
     models: Mapping[str, Model] | None = None,
     studies: Mapping[str, Any] | None = None,
 ) -> dict[str, str]:
-    """All LaTeX files of the handbook.
+    """All LaTeX files of the handbook, as text by path relative to its folder.
 
     Parameters
     ----------
@@ -49,11 +49,6 @@ def handbook_sources(
         What `page_models` gives, where it is at hand.
     studies : mapping, optional
         Records of `axicontact study` by name: error, speed, maps, extremes.
-
-    Returns
-    -------
-    dict of str to str
-        Text by path relative to the folder of the handbook.
     """
     models = page_models(derived, evidence or {}) if models is None else models
     template = templates().get_template("profile.tex.j2")

@@ -32,9 +32,9 @@ NARROW, NARROWEST = 1e-4, 1e-6
 SETTLED, SMALL, PATIENCE, STEEP = 1e-15, 1e-4, 8, 8.0
 """What a last step leaves and what is missed before it, where a search ends; the steps after which every other one
 halves unless it gets shorter; and the rate, over that of the chord, where none begins."""
-ROUNDING, MARGIN, ALIKE = 4e-15, 0.05, 0.5
-"""How far below pull-off a load counts as that; in ln a: how far beyond a state in doubt the root may be, and the
-length of a secant."""
+ROUNDING, MARGIN, LOOSE, ALIKE = 4e-15, 0.05, 8.0, 0.5
+"""How far below pull-off a load counts as that; in ln a: how far beyond a state in doubt the root may be, by itself and
+by its last step, and the length of a secant."""
 SHORTEST, LONGEST, BEYOND = 0.7, 27.0, 1.2
 """Steps of a walk in ln a, and how far beyond what is looked for they aim."""
 
@@ -218,12 +218,17 @@ def radius_under(near_to: Near, loaded: Loaded, value: Array, stretch: Stretch) 
 
 
 def _risen(near: Near, found: list[State], sought: Array) -> list[tuple[State, State, Array]]:
-    """States, or minima between two that are sought, with those that follow; and whether the load grows from there."""
-    risen = []
+    """States, or minima between two that are sought, with those that follow; and where the load begins to grow."""
+    risen, grown = [], sought & False
     for low, high in zip(found, found[1:], strict=False):
-        dips = sought & (low.ratio < 1.0) & (high.ratio >= 1.0)
+        dips, begins = sought & (low.ratio < 1.0) & (high.ratio >= 1.0), (low.ratio >= 1.0) & np.logical_not(grown)
+        # its load is compared with that of a minimum, which is exact
+        vague = begins & (np.abs(low.off) > FINE)
+        if np.count_nonzero(vague):
+            low = _chosen(vague, near(low.a, low.q), low)
         start = _chosen(dips, _between(near, _by_ratio, low, high, dips), low)
-        risen.append((start, high, dips | (low.ratio >= 1.0)))
+        risen.append((start, high, dips | begins))
+        grown = dips | (low.ratio >= 1.0)
     return risen
 
 
@@ -382,10 +387,11 @@ def _between(near: Near, missed: Missed, low: State, high: State, holds: Array, 
     (y, rate, doubt), moved, bend = missed(here), np.ones_like(unit), np.ones_like(unit) / SETTLED
     for number in range(STEPS):
         # in doubt it may be on the other side of a break; before one, the rate of no gap does not tell
-        sure = (np.minimum(np.abs(y), ROUGH) >= doubt) & (y > -np.inf)
-        sure = sure | (np.abs(here.off) <= NOISE)
-        bottom = np.where(sure & (y < 0.0), np.maximum(bottom, x), bottom)
-        top = np.where(sure & (y > 0.0), np.minimum(top, x), top)
+        sure = ((np.minimum(np.abs(y), ROUGH) >= doubt) & (y > -np.inf)) | (np.abs(here.off) <= NOISE)
+        # the last step may have led over a break, where rates jump and loads do not
+        loose = 0.0 if exact else np.where(np.abs(here.off) <= NOISE, 0.0, LOOSE * np.abs(here.off))
+        bottom = np.where(sure & (y < 0.0), np.maximum(bottom, x - loose), bottom)
+        top = np.where(sure & (y > 0.0), np.minimum(top, x + loose), top)
         # a state in doubt is looked at again
         aim = np.where(sure, x - y / np.where(rate > 0.0, rate, 1.0), x)
         # nor does a rate that is infinite lead anywhere

@@ -23,9 +23,10 @@ LOOKS = 60
 MARGIN = 0.05
 NARROW = 0.0001
 NARROWEST = 1e-06
+NOISE = 1e-13
 PATIENCE = 8
 ROUGH = 0.2
-ROUNDING = 1e-15
+ROUNDING = 4e-15
 SETTLED = 1e-15
 SHORT = 0.01
 SHORTEST = 0.7
@@ -105,33 +106,37 @@ def state_near(opened, growth, start, a, control, E_star, dgamma, sigma_0, large
     if control == 'force':
         level, bend, ratio = (cosine * short + angle * angle, (2.0 * cosine - 1.0) * sine + 2.0 * angle, ratio * cosine)
         steepening = steepening + sine * sine * (1.0 - widening)
-        gain = 2.0 * E_star * a * a * growth - 4.0 * sigma_0 * (a * a * angle + q * (q * angle + a) * widening)
+        pull = 4.0 * sigma_0 * q * (q * angle + a)
+        gain = 2.0 * E_star * a * a * growth - 4.0 * sigma_0 * a * a * angle - pull * widening
     else:
-        gain = a * growth - 2.0 * (sigma_0 / E_star) * q * widening
+        pull = 2.0 * (sigma_0 / E_star) * q
+        gain = a * growth - pull * widening
     steepening = steepening - bend * turn / level
-    return State(a, q, ratio / level if reached else np.nan, np.nan * a, widening, steepening, gain, off, doubt)
+    ratio, blur = (ratio / level if reached else np.nan, pull * np.abs(off) * doubt)
+    return State(a, q, ratio, np.nan * a, widening, steepening, gain, off, doubt, blur)
 
 
 def radius_of_pull_off(near, loaded, stretch):
     """That of the least load: 0 where it falls as long as there is a contact, not a number beyond the profile."""
     risen = _risen(near, _walked(near, stretch, _by_ratio, _never), stretch.first == stretch.first)
-    weighed = []
-    for start, high, grows in risen:
-        weighed.append((_weighed(loaded, start, grows), high, grows))
-    return _least(weighed).a
+    return _least([(_weighed(loaded, start, grows), high, grows) for start, high, grows in risen]).a
 
 
 def radius_under(near_to, loaded, value, stretch):
     """The largest radius with this load where the load grows, from that of the least load on."""
 
     def near(a, start):
-        return _weighed(loaded, near_to(a, start), value == value)
+        state = _weighed(loaded, near_to(a, start), value == value)
+        unclear = (np.abs(state.load - value) <= state.blur) & (np.abs(state.off) > NOISE)
+        if not np.count_nonzero(unclear):
+            return state
+        return _chosen(unclear, _weighed(loaded, near_to(a, state.q), value == value), state)
 
     def missed(state):
         some, falls, below = (state.load > 0.0, state.ratio < 1.0, state.load < value)
         far = np.log(np.maximum(state.load, LEAST * value) / value) if some else -SHORTEST
         rate = state.steepening if falls else state.gain / (state.load if some else 1.0) if some else 0.0
-        return (np.log(state.ratio) if falls else far if below else 0.0, rate)
+        return (np.log(state.ratio) if falls else far if below else 0.0, rate, state.doubt)
     found = _walked(near, stretch, missed, lambda state: (state.ratio >= 1.0) & (state.load <= value))
     if np.all(found[0].a > 0.0) and (not np.all(found[-1].load >= value)):
         found = _walked(near, stretch, missed, _never)
@@ -191,7 +196,7 @@ def _without_contact(opened, E_star, sigma_0):
         gap, rate = opened(c, np.zeros_like(c))
         ratio, known = (rate / (4.0 / np.pi * (sigma_0 / E_star)), gap > 0.0)
         degree = c * rate / (gap if known else 1.0) if known else 2.0
-        return State(c, c, ratio, ratio, np.ones_like(c), degree - 1.0, ratio, 0.0 * q, 0.0 * q)
+        return State(c, c, ratio, ratio, np.ones_like(c), degree - 1.0, ratio, 0.0 * q, 0.0 * q, 0.0 * q)
     return near
 
 
@@ -201,7 +206,7 @@ def _least_depth(near, low, high):
 
 
 def _by_ratio(state):
-    return (np.log(state.ratio), state.steepening)
+    return (np.log(state.ratio), state.steepening, state.doubt)
 
 
 def _by_load(value, least):
@@ -212,8 +217,8 @@ def _by_load(value, least):
     def missed(state):
         known = np.sqrt(np.maximum(state.load - least.load, 0.0) / size)
         same = np.abs(state.load - value) <= ROUNDING * (size + np.abs(value))
-        rate = state.gain / size / (2.0 * known * (1.0 + known) if known > 0.0 else 1.0)
-        return (0.0 if same else np.log1p(known) - np.log1p(wanted), rate)
+        slope = 1.0 / size / (2.0 * known * (1.0 + known) if known > 0.0 else 1.0)
+        return (0.0 if same else np.log1p(known) - np.log1p(wanted), state.gain * slope, state.blur * slope)
     return missed
 
 
@@ -270,7 +275,7 @@ def _beyond(near, last, stretch, missed):
     found, top, rises = ([last], stretch.top, stretch.rises)
     step, ended = (np.full_like(last.a, SHORTEST), last.a != last.a)
     for _ in range(WALKED):
-        short, rate = missed(last)
+        short, rate, _ = missed(last)
         more = (short < 0.0) & (last.a * (1.0 + CLOSE) < top) & (rises | (last.ratio >= 1.0))
         more = more & (last.ratio == last.ratio)
         if not np.count_nonzero(more):
@@ -297,22 +302,24 @@ def _guess(state, a):
 def _between(near, missed, low, high, holds, exact=False):
     """Where what is missed changes its sign between two states, by steps along its rate, or secants, or halves."""
     unit = high.a
-    (y_low, rate_low), (y, rate) = (missed(low), missed(high))
-    bottom = np.log(np.maximum(low.a / unit, LEAST)) - (MARGIN if np.abs(y_low) < low.doubt else 0.0)
-    top = MARGIN if np.abs(y) < high.doubt else 0.0 * unit
+    (y_low, rate_low, doubt_low), (y, rate, doubt) = (missed(low), missed(high))
+    bottom = np.log(np.maximum(low.a / unit, LEAST)) - (MARGIN if np.abs(y_low) < doubt_low else 0.0)
+    top = MARGIN if np.abs(y) < doubt else 0.0 * unit
     holds = holds & (y_low < 0.0)
     if not np.count_nonzero(holds):
         return _none(high)
     closer = (low.a > 0.0) & (-y_low < y) & (rate_low * (top - bottom) < STEEP * (y - y_low))
     here, best, left = (_chosen(closer, low, high), high, holds)
     x = np.log(np.maximum(low.a / unit, LEAST)) if closer else 0.0
-    (y, rate), moved = (missed(here), unit)
+    (y, rate, doubt), moved, bend = (missed(here), np.ones_like(unit), np.ones_like(unit) / SETTLED)
     for number in range(STEPS):
-        sure = (np.abs(y) >= here.doubt) | (np.abs(here.off) <= FINE)
+        sure = (np.minimum(np.abs(y), ROUGH) >= doubt) & (y > -np.inf)
+        sure = sure | (np.abs(here.off) <= NOISE)
         bottom = np.maximum(bottom, x) if sure & (y < 0.0) else bottom
         top = np.minimum(top, x) if sure & (y > 0.0) else top
         aim = x - y / (rate if rate > 0.0 else 1.0) if sure else x
-        halved = np.logical_not((aim >= bottom) & (aim <= top))
+        stuck = sure & (np.abs(y) > SMALL) & (np.abs(aim - x) <= SETTLED)
+        halved = stuck | np.logical_not((aim >= bottom) & (aim <= top))
         if number >= PATIENCE and number % 2 == 0:
             halved = halved | sure & (4.0 * np.abs(aim - x) > moved)
         aim = 0.5 * (bottom + top) if halved else aim
@@ -322,13 +329,19 @@ def _between(near, missed, low, high, holds, exact=False):
         best = _chosen(left, here._replace(a=a, q=q), best)
         narrow = here.q <= NARROW * here.a
         after = 1.0 if halved else np.maximum(moved, step) if narrow | (not exact) else step
-        left = left & ((step * after > SETTLED) | (np.abs(here.off) > FINE) | (np.abs(y) > SMALL))
+        known = sure & (np.abs(here.off) <= FINE) & (np.abs(y) <= SMALL)
+        left = left & ((step * after * bend > SETTLED) | np.logical_not(known))
+        closed = top - bottom <= 0.25 * SETTLED
+        best, left = (_chosen(left & closed, best._replace(a=unit * np.exp(bottom)), best), left & np.logical_not(closed))
         if not np.count_nonzero(left):
             break
         here = near(a, q)
-        before, x, moved = ((x, y), aim, step)
-        y, rate = missed(here)
+        before, x, moved = ((x, y, rate), aim, step)
+        y, rate, doubt = missed(here)
         alike = (moved < ALIKE) & (moved > 0.0) & (narrow | (not exact)) & (before[1] > -np.inf) & (y > -np.inf)
         secant = (y - before[1]) / (x - before[0] if alike else 1.0) if alike else 0.0
         rate = secant if secant > 0.0 else rate
+        apart = moved * (rate if rate > 0.0 else 0.0)
+        turned = np.abs(rate - before[2]) / (apart if apart > 0.0 else 1.0)
+        bend = np.maximum(turned, 1.0) if (apart > 0.0) & (turned < np.inf) else bend
     return _chosen(holds, best, _none(best))
