@@ -20,6 +20,7 @@ FURTHEST = 3.0
 LEAST = 1e-20
 LONGEST = 27.0
 LOOKS = 60
+LOOSE = 8.0
 MARGIN = 0.05
 NARROW = 0.0001
 NARROWEST = 1e-06
@@ -155,12 +156,16 @@ def radius_under(near_to, loaded, value, stretch):
 
 
 def _risen(near, found, sought):
-    """States, or minima between two that are sought, with those that follow; and whether the load grows from there."""
-    risen = []
+    """States, or minima between two that are sought, with those that follow; and where the load begins to grow."""
+    risen, grown = ([], sought & False)
     for low, high in zip(found, found[1:], strict=False):
-        dips = sought & (low.ratio < 1.0) & (high.ratio >= 1.0)
+        dips, begins = (sought & (low.ratio < 1.0) & (high.ratio >= 1.0), (low.ratio >= 1.0) & np.logical_not(grown))
+        vague = begins & (np.abs(low.off) > FINE)
+        if np.count_nonzero(vague):
+            low = _chosen(vague, near(low.a, low.q), low)
         start = _chosen(dips, _between(near, _by_ratio, low, high, dips), low)
-        risen.append((start, high, dips | (low.ratio >= 1.0)))
+        risen.append((start, high, dips | begins))
+        grown = dips | (low.ratio >= 1.0)
     return risen
 
 
@@ -313,10 +318,10 @@ def _between(near, missed, low, high, holds, exact=False):
     x = np.log(np.maximum(low.a / unit, LEAST)) if closer else 0.0
     (y, rate, doubt), moved, bend = (missed(here), np.ones_like(unit), np.ones_like(unit) / SETTLED)
     for number in range(STEPS):
-        sure = (np.minimum(np.abs(y), ROUGH) >= doubt) & (y > -np.inf)
-        sure = sure | (np.abs(here.off) <= NOISE)
-        bottom = np.maximum(bottom, x) if sure & (y < 0.0) else bottom
-        top = np.minimum(top, x) if sure & (y > 0.0) else top
+        sure = (np.minimum(np.abs(y), ROUGH) >= doubt) & (y > -np.inf) | (np.abs(here.off) <= NOISE)
+        loose = 0.0 if exact else 0.0 if np.abs(here.off) <= NOISE else LOOSE * np.abs(here.off)
+        bottom = np.maximum(bottom, x - loose) if sure & (y < 0.0) else bottom
+        top = np.minimum(top, x + loose) if sure & (y > 0.0) else top
         aim = x - y / (rate if rate > 0.0 else 1.0) if sure else x
         stuck = sure & (np.abs(y) > SMALL) & (np.abs(aim - x) <= SETTLED)
         halved = stuck | np.logical_not((aim >= bottom) & (aim <= top))
