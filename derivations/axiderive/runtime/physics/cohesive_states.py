@@ -400,27 +400,25 @@ def _between(near: Near, missed: Missed, low: State, high: State, holds: Array, 
         if number >= PATIENCE and number % 2 == 0:
             halved = halved | (sure & (4.0 * np.abs(aim - x) > moved))
         aim = np.where(halved, 0.5 * (bottom + top), aim)
-        step = np.abs(aim - x)
-        a = unit * np.exp(aim)
+        # where what is missed jumps, as close as numbers are, and before it: beyond a break loads grow steeply
+        step, closed = np.abs(aim - x), top - bottom <= 0.25 * SETTLED
+        a = unit * np.exp(np.where(closed, bottom, aim))
         q = _guess(here, a)
         best = _chosen(left, here._replace(a=a, q=q), best)
         narrow = here.q <= NARROW * here.a
         after = np.where(halved, 1.0, np.where(narrow | (not exact), np.maximum(moved, step), step))
         known = sure & (np.abs(here.off) <= FINE) & (np.abs(y) <= SMALL)
-        left = left & ((step * after * bend > SETTLED) | np.logical_not(known))
-        # where what is missed jumps, as close as numbers are, and before it: beyond a break loads grow steeply
-        closed = top - bottom <= 0.25 * SETTLED
-        best, left = _chosen(left & closed, best._replace(a=unit * np.exp(bottom)), best), left & np.logical_not(closed)
+        left = left & ((step * after * bend > SETTLED) | np.logical_not(known)) & np.logical_not(closed)
         if not np.count_nonzero(left):
             break
         here = near(a, q)
-        before, x, moved = (x, y, rate), aim, step
+        before, x, moved = (x, y, rate), aim, np.where(step > 0.0, step, moved)
         y, rate, doubt = missed(here)
-        alike = (moved < ALIKE) & (moved > 0.0) & (narrow | (not exact)) & (before[1] > -np.inf) & (y > -np.inf)
+        alike = (step < ALIKE) & (step > 0.0) & (narrow | (not exact)) & (before[1] > -np.inf) & (y > -np.inf)
         secant = np.where(alike, (y - before[1]) / np.where(alike, x - before[0], 1.0), 0.0)
         rate = np.where(secant > 0.0, secant, rate)
         # beyond a break the rate changes as fast as the root of what is left to it
-        apart = moved * np.where(rate > 0.0, rate, 0.0)
+        apart = step * np.where(rate > 0.0, rate, 0.0)
         turned = np.abs(rate - before[2]) / np.where(apart > 0.0, apart, 1.0)
         bend = np.where((apart > 0.0) & (turned < np.inf), np.maximum(turned, 1.0), bend)
     return _chosen(holds, best, _none(best))
