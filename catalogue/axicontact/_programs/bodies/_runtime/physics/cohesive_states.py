@@ -328,25 +328,23 @@ def _between(near, missed, low, high, holds, exact=False):
         if number >= PATIENCE and number % 2 == 0:
             halved = halved | sure & (4.0 * np.abs(aim - x) > moved)
         aim = 0.5 * (bottom + top) if halved else aim
-        step = np.abs(aim - x)
-        a = unit * np.exp(aim)
+        step, closed = (np.abs(aim - x), top - bottom <= 0.25 * SETTLED)
+        a = unit * np.exp(bottom if closed else aim)
         q = _guess(here, a)
         best = _chosen(left, here._replace(a=a, q=q), best)
         narrow = here.q <= NARROW * here.a
         after = 1.0 if halved else np.maximum(moved, step) if narrow | (not exact) else step
         known = sure & (np.abs(here.off) <= FINE) & (np.abs(y) <= SMALL)
-        left = left & ((step * after * bend > SETTLED) | np.logical_not(known))
-        closed = top - bottom <= 0.25 * SETTLED
-        best, left = (_chosen(left & closed, best._replace(a=unit * np.exp(bottom)), best), left & np.logical_not(closed))
+        left = left & ((step * after * bend > SETTLED) | np.logical_not(known)) & np.logical_not(closed)
         if not np.count_nonzero(left):
             break
         here = near(a, q)
-        before, x, moved = ((x, y, rate), aim, step)
+        before, x, moved = ((x, y, rate), aim, step if step > 0.0 else moved)
         y, rate, doubt = missed(here)
-        alike = (moved < ALIKE) & (moved > 0.0) & (narrow | (not exact)) & (before[1] > -np.inf) & (y > -np.inf)
+        alike = (step < ALIKE) & (step > 0.0) & (narrow | (not exact)) & (before[1] > -np.inf) & (y > -np.inf)
         secant = (y - before[1]) / (x - before[0] if alike else 1.0) if alike else 0.0
         rate = secant if secant > 0.0 else rate
-        apart = moved * (rate if rate > 0.0 else 0.0)
+        apart = step * (rate if rate > 0.0 else 0.0)
         turned = np.abs(rate - before[2]) / (apart if apart > 0.0 else 1.0)
         bend = np.maximum(turned, 1.0) if (apart > 0.0) & (turned < np.inf) else bend
     return _chosen(holds, best, _none(best))
