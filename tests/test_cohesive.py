@@ -430,6 +430,8 @@ def test_no_search_of_many_is_lost(name: str, count: int, control: str) -> None:
         # just beyond a break, where the load grows like a root
         ("truncated_paraboloid", 2.8614196222587404e-08, 2.7514221195376833e-06, 0.400000004),
         ("rounded_cone", 0.0002649790861586865, 120.39760652730418, 0.500005),
+        # so wide that its load is no small part of that of pull-off
+        ("cone", 0.00394608876831927, 5.514305415532774e-05, 175.2437790911659),
         # where a search begins
         ("rounded_cone", 0.0035603438976867614, 0.005824206633646045, 0.505),
     ],
@@ -459,6 +461,10 @@ def test_pull_off_is_that_of_each_in_an_array() -> None:
     [
         ("capped_paraboloid", 0.0016852463027864652, 0.08320347630193327),
         ("truncated_paraboloid", 9.888930979100971e-08, 0.31674322873043503),
+        ("truncated_paraboloid", 1.7922414045118298e-08, 232272.7513099397),
+        ("truncated_paraboloid", 7.259111113290024e-07, 0.004343247370077945),
+        ("truncated_paraboloid", 2.0488542045094242e-05, 0.01344756684784493),
+        ("truncated_paraboloid", 6.246945355248646e-08, 0.0014971341042785608),
     ],
 )
 @pytest.mark.parametrize("control", ["force", "depth"])
@@ -466,6 +472,8 @@ def test_pull_off_where_the_zone_reaches_a_break(name: str, dgamma: float, sigma
     """The rate of the load jumps there; the last step to a state may lead from one side of it to the other."""
     own, material = module(name), GEOMETRY[name] | {"E_star": 1.0, "dgamma": dgamma, "sigma_0": sigma_0}
     state = own.pull_off(control, **material)
+    pair = own.pull_off(control, **{key: np.full(2, value) for key, value in material.items()})
+    assert pair.radius == pytest.approx([state.radius] * 2, rel=1e-13)
     if control == "force":
         assert own.cohesive_radius(state.radius, **material) == pytest.approx(material["b"], rel=1e-9)
     radii = state.radius * (1.0 + np.concatenate([-np.geomspace(1e-7, 0.5, 40), np.geomspace(1e-7, 0.5, 40)]))
