@@ -10,6 +10,7 @@ from scenes import EXAMPLES, composed_from
 
 from axiderive.scene.linker.binding import bind
 from axiderive.scene.linker.library import Module, Program
+from axiderive.scene.linker.linking import inline
 from axiderive.scene.linker.written import function_head, function_text
 
 RULE = '''
@@ -179,3 +180,25 @@ def test_every_default_of_an_example_is_used_and_left(path):
     used = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load)}
     constants = {node.targets[0].id for node in tree.body if isinstance(node, ast.Assign)}
     assert constants <= used, constants - used
+
+
+@pytest.mark.parametrize(
+    ("value", "written"),
+    [
+        ("twice(x)", True),
+        ("twice(x) + 1.0", True),
+        ("[twice(y) for y in x]", False),
+        ("{twice(y) for y in x}", False),
+        ("{twice(y): y for y in x}", False),
+        ("tuple(twice(y) for y in x)", False),
+        ("map(lambda y: twice(y), x)", False),
+        ("twice(x) if x > 0.0 else x", False),
+    ],
+)
+def test_lines_are_written_out_where_their_names_are_known(value, written):
+    """Not before a statement inside of which an argument gets its value, or in which the call may be left out."""
+    rules = f"def twice(y):\n    z = np.sqrt(y) * {' * '.join(['y'] * 30)}\n    return z + z\n"
+    modules = {"own": Module("own", f"{rules}\n\ndef f(x):\n    return {value}\n")}
+    program = Program(modules, ["own:f"], frozenset())
+    inline(program, frozenset())
+    assert ("own:twice" not in program.functions) == written

@@ -154,6 +154,8 @@ def _group(module: str) -> str:
     return group.replace(".", "_")
 
 
+INNER = (ast.Lambda, ast.IfExp, ast.GeneratorExp, ast.ListComp, ast.SetComp, ast.DictComp)
+"""Expressions that have names of their own, or of which a part is not evaluated."""
 WIDTH, KEYS = 107, re.compile(r"[\w.]+:(?=\w)")
 
 
@@ -200,7 +202,7 @@ class _Site:
     def straight(self) -> bool:
         """Whether the call stands in a simple statement of the function itself, so that lines can go before it."""
         own = self.statement
-        scopes = (s for s in ast.walk(own) if isinstance(s, (ast.Lambda, ast.GeneratorExp, ast.IfExp)))
+        scopes = (s for s in ast.walk(own) if isinstance(s, INNER))
         simple = isinstance(own, (ast.Assign, ast.Return))
         return simple and not any(node is self.call for scope in scopes for node in ast.walk(scope))
 
