@@ -71,8 +71,7 @@ def keywords(function: Any, profile: Profile, known: dict[sp.Symbol, Any]) -> di
 
 
 def exact(entry: Entry, known: dict[sp.Symbol, Any]) -> float:
-    case = example._case(entry, known)
-    return float(example.number(example._plain(case.expr), known))
+    return float(example.value(entry, known))
 
 
 def radius(profile: Profile) -> sp.Rational:

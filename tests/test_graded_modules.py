@@ -19,6 +19,7 @@ from axiderive.code import example
 from axiderive.code.graded.families import family
 from axiderive.code.systems import alone, superposed
 from axiderive.entry import Entry
+from axiderive.oracle.evaluate import height
 from axiderive.oracle.half_space import HalfSpace
 from axiderive.physics.systems import BY_NAME
 from axiderive.profiles import COMPACT_NAMES, NAMES, load
@@ -33,7 +34,7 @@ def at(function: Any, profile: Profile, known: dict[sp.Symbol, Any], *fields: sp
 
 
 def exact(entry: Entry, known: dict[sp.Symbol, Any]) -> float:
-    return float(example.number(example._plain(example._case(entry, known).expr), known))
+    return float(example.value(entry, known))
 
 
 def defined(profile: Profile, known: dict[sp.Symbol, Any], physics: str, suffix: str, digits: int = 17) -> float:
@@ -61,7 +62,7 @@ def test_terms_add_up_to_the_profile(name: str) -> None:
     total = sum(
         float(term.coefficient.subs(known)) * SHAPES[term.shape](r, term, known) for term in family(profile).terms
     )
-    assert total == pytest.approx(float(example.shape_value(profile, known | {nt.r: r})), rel=1e-14, abs=0.0)
+    assert total == pytest.approx(float(height(profile, known, r)), rel=1e-14, abs=0.0)
 
 
 def _lengths(term: Any, known: dict[sp.Symbol, Any]) -> list[float]:

@@ -11,13 +11,14 @@ import mpmath as mp
 import sympy as sp
 
 from .. import notation as nt
-from ..abel.masters import MASTERS
-from ..entry import COMPACT, Case, Entry
+from ..entry import COMPACT, Entry
 from ..letters import name_of
+from ..oracle import shape
 from ..oracle.definitions import least
+from ..oracle.evaluate import case_at, height, value_of
 from ..oracle.half_space import HalfSpace
 from ..oracle.layer import Layer, layer
-from ..oracle.shape import coefficient
+from ..oracle.shape import Number, coefficient
 from ..physics.adhesive import FORCE, TENSION, separation, work_of_peeling
 from ..physics.layer import BASES
 from ..physics.systems import System
@@ -25,7 +26,7 @@ from ..physics.viscoelastic import in_radius
 from ..profiles.profile import Profile
 from .function import fit
 
-Values = dict[sp.Symbol, sp.Expr]
+Values = dict[sp.Symbol, Any]
 MODULI: Values = {nt.E_star: sp.S.One, nt.H: sp.S.One, nt.k: sp.Rational(1, 4)}
 POLYNOMIAL = (sp.Rational(1, 10), sp.Rational(1, 4), sp.Rational(1, 20))
 STICK = sp.Rational(3, 5)
@@ -34,18 +35,16 @@ BESIDE = sp.Rational(8, 7)
 """A radius beside the contact, over a."""
 PLACES = 97
 """Radii at which the least force is looked for: a prime, so that no break of a drawn profile is met."""
-SHOWN, DIGITS = 6, 15
-"""Decimals of a doctest, and digits of a quadrature."""
+TERMS: Values = {nt.N: sp.Integer(len(POLYNOMIAL)), **{coefficient(i): c for i, c in enumerate(POLYNOMIAL, 1)}}
+"""The polynomial that is drawn."""
+SHOWN, DIGITS, PRECISE = 6, 15, 30
+"""Decimals of a doctest, digits of a quadrature, and those of a formula."""
 STEP = mp.mpf("0.001")
 """From the drawn state, with which a search begins."""
 RINGS = (nt.r_zero, nt.x_zero, nt.r_peak)
 """Places on the face that an equation defines."""
 DEFINED = (*RINGS, nt.t_1, nt.t_c)
 """These, and times of a way back."""
-NUMERIC = [
-    {"elliptic_f": mp.ellipf, "elliptic_e": mp.ellipe, **{master.__name__: master.numeric for master in MASTERS}},
-    "mpmath",
-]
 
 
 def numbers(profile: Profile) -> dict[sp.Symbol, sp.Rational]:
@@ -54,73 +53,32 @@ def numbers(profile: Profile) -> dict[sp.Symbol, sp.Rational]:
     return {symbol: value for symbol, value in values.items() if symbol in profile.parameters}
 
 
-def value(entry: Entry, known: Mapping[sp.Symbol, sp.Expr]) -> sp.Float:
+def value(entry: Entry, known: Values) -> Number:
     """The exact result at these values, to 30 digits."""
-    expr = _plain(_case(entry, known).expr)
+    expr = case_at(entry, known).expr
     return number(expr.rhs if isinstance(expr, sp.Eq) else expr, known)
 
 
-def number(expr: sp.Expr, known: Mapping[sp.Symbol, sp.Expr]) -> sp.Float:
-    """The value by mpmath at 30 digits; a definite integral by mpmath's quadrature."""
-    with mp.workdps(30):
-        for integral in expr.atoms(sp.Integral):
-            # the variable of an integral may be a field elsewhere
-            at = {symbol: value for symbol, value in known.items() if symbol != integral.limits[0][0]}
-            variable, lower, upper = integral.subs(at).limits[0]
-            integrand = sp.lambdify(variable, integral.subs(at).function, NUMERIC)
-            ends = [mp.mpf(str(sp.N(end, 30))) for end in (lower, upper)]
-            expr = expr.subs(integral, sp.Float(str(mp.re(mp.quad(integrand, ends, maxdegree=6))), 30))
-        return sp.Float(str(mp.re(function(expr, known)())), 30)
-
-
-def function(expr: sp.Expr, known: Mapping[sp.Symbol, sp.Expr], *unknown: sp.Symbol) -> Callable[..., Any]:
-    """The expression as a function of what is unknown, over mpmath's numbers of the digits it works with.
-
-    Numbers put into the expression by SymPy would take ten times as long.
-    """
-    symbols = sorted(expr.free_symbols - {*unknown}, key=str)
-    values = [mp.mpf(str(sp.N(known[symbol], 40))) for symbol in symbols]
-    evaluate = sp.lambdify((*unknown, *symbols), expr, NUMERIC)
-    return lambda *given: evaluate(*given, *values)
-
-
-def shape_value(profile: Profile, known: Mapping[sp.Symbol, sp.Expr], place: sp.Symbol = nt.r) -> sp.Float:
-    """The height of the profile at a place."""
-    below = (p for p in profile.pieces if p.upper is None or known[place] < sp.N(p.upper.subs(known), 30))
-    return number(_plain(next(below).expr), known)
-
-
-def _plain(expr: sp.Expr) -> sp.Expr:
-    """A sum over powers written out for the three coefficients of the example."""
-    own = {nt.coefficients[j]: c for j, c in enumerate(POLYNOMIAL, 1)}
-    sums = {total: total.subs(nt.N, len(POLYNOMIAL)).doit().subs(own) for total in expr.atoms(sp.Sum)}
-    return expr.xreplace(sums)
-
-
-def _case(entry: Entry, known: Mapping[sp.Symbol, sp.Expr]) -> Case:
-    for case in entry.cases:
-        lengths = [sp.N(known.get(x, x) if x.is_Atom else x.subs(known), 30) for x in map(sp.sympify, case.chain)]
-        if all(x < y for x, y in zip(lengths, lengths[1:], strict=False) if x.is_number and y.is_number):
-            return case
-    message = f"{entry.key}: no case applies at {known}"
-    raise ValueError(message)
+def number(expr: sp.Expr, known: Values) -> Number:
+    """The value, to 30 digits."""
+    return value_of(expr, {**TERMS, **known}, PRECISE)
 
 
 def _holds(entry: Entry, place: sp.Symbol) -> bool:
     return any(case.expr.has(place) for case in entry.cases)
 
 
-def rounded(number: sp.Float) -> sp.Rational:
+def rounded(number: Number) -> sp.Rational:
     """The number to four significant digits, as an exact rational."""
     return sp.Rational(str(sp.Float(str(number), 4)))
 
 
-def literal(number: sp.Expr) -> str:
+def literal(number: Any) -> str:
     """The number as a Python float in text."""
     return repr(float(number))
 
 
-def doctest(package: str, module: str, call: str, number: sp.Float, member: str = "", name: str = "value") -> list[str]:
+def doctest(package: str, module: str, call: str, number: Number, member: str = "", name: str = "value") -> list[str]:
     """The lines of a doctest: the import, a call of the module, and a member of the result or itself, rounded."""
     first, *others = fit(f"{name} = {module}.{call}", 12)
     lines = [f">>> from {package} import {module}", f">>> {first}", *(f"... {other}" for other in others)]
@@ -170,8 +128,7 @@ class Example:
         return self._layer(adhesive=True)
 
     def _layer(self, *, adhesive: bool) -> Layer:
-        terms = {nt.N: sp.Integer(len(POLYNOMIAL)), **{coefficient(i): c for i, c in enumerate(POLYNOMIAL, 1)}}
-        here = HalfSpace(self.profile, self.known | terms, 2 * SHOWN, graded=False)
+        here = HalfSpace(self.profile, TERMS | self.known, 2 * SHOWN, graded=False)
         return layer(here, next(iter(BASES)), adhesive=adhesive)
 
     def lines(self, suffix: str) -> list[str]:
@@ -195,8 +152,9 @@ class Example:
         """The doctest of the shape of the indenter."""
         place = self.system.pool.place
         passed = [literal(self.known[place]), *(self.keyword(s, self.known) for s in self.profile.parameters)]
-        height = shape_value(self.profile, self.known, place)
-        return self._shown(f"{COMPACT['f'].function}({', '.join(passed)})", height)
+        with mp.workdps(PRECISE):
+            found = height(self.profile, TERMS | self.known, self.known[place])
+        return self._shown(f"{COMPACT['f'].function}({', '.join(passed)})", found)
 
     def state(self, suffix: str = "") -> list[str]:
         """The doctest of the state of pull-off: its force by that entry, else the least value of F(a)."""
@@ -205,7 +163,7 @@ class Example:
         force = self.number(entry, self.known) if suffix else self.least_force()
         return self._shown(f"pull_off({passed})", force, "force", "state")
 
-    def _shown(self, call: str, number: sp.Float, member: str = "", name: str = "value") -> list[str]:
+    def _shown(self, call: str, number: Number, member: str = "", name: str = "value") -> list[str]:
         return doctest(self.system.package, self.profile.name, call, number, member, name)
 
     def keyword(self, symbol: sp.Symbol | sp.IndexedBase, at: Values) -> str:
@@ -214,13 +172,13 @@ class Example:
             return f"A=({', '.join(literal(c) for c in POLYNOMIAL)})"
         return f"{name_of(symbol)}={literal(at[symbol])}"
 
-    def number(self, entry: Entry, at: Values) -> sp.Float:
+    def number(self, entry: Entry, at: Values) -> Number:
         """The exact value; what an equation defines is its root near the drawn state."""
         symbol = entry.quantity.symbol
         if entry.status in ("equation", "expansion"):
             with mp.workdps(SHOWN + DIGITS):
                 own = self.pulled if nt.dgamma in entry.parameters else self.layered
-                return sp.Float(str(own.stated(entry)), DIGITS)
+                return own.stated(entry)
         if entry.status == "integral" and self.system.medium.graded:
             return self.defined(entry, at)
         if entry.status == "root" and entry.composed:
@@ -232,7 +190,7 @@ class Example:
             needed = place in places and place not in entry.arguments and ring is not entry and _holds(entry, place)
             if needed and {*ring.parameters} <= {*entry.parameters}:
                 at = at | {place: self.number(ring, at)}
-        if entry.status == "root" and isinstance(_case(entry, at).expr, sp.Eq):
+        if entry.status == "root" and isinstance(case_at(entry, at).expr, sp.Eq):
             if symbol in (nt.a, nt.c, *places):
                 return self.root(entry, symbol, at)
             at = at | {nt.a: self.root(self.elastic["ad"], nt.a, at)}
@@ -240,57 +198,63 @@ class Example:
             at = at | {nt.a: self.reached(entry, at)}
         return value(entry, at)
 
-    def reached(self, entry: Entry, at: Values) -> sp.Float:
+    def reached(self, entry: Entry, at: Values) -> Number:
         """The contact radius on a ramp, or on the way back from it."""
         back, law = nt.t_m in entry.parameters, entry.suffix.split("_")[1]
         until = self.number(self.entries[f"earlier_{law}"], at) if back else at[nt.time]
         radius, given = self.elastic["ad"], at | {nt.d: at[nt.v] * until}
         return self.root(radius, nt.a, given) if radius.status == "root" else value(radius, given)
 
-    def defined(self, entry: Entry, at: Values) -> sp.Float:
+    def defined(self, entry: Entry, at: Values) -> Number:
         """A pressure or displacement on a graded half-space without closed form, by quadrature."""
         here, physics = HalfSpace(self.profile, at, DIGITS, graded=True), self.system.physics
         with mp.workdps(2 * DIGITS):
-            a = mp.mpf(str(sp.N(at[nt.a], 2 * DIGITS)))
             if physics.definitions:
                 found = here.defined(physics.definitions(self.profile, here.medium)[entry.suffix])
             else:
-                found = (here.adhesive if physics.tension else here.normal)(entry.suffix, a)
-            return sp.Float(str(mp.re(found)), 2 * DIGITS)
+                found = (here.adhesive if physics.tension else here.normal)(entry.suffix, shape.number(at[nt.a]))
+            return mp.re(found)
 
     @property
     def floor(self) -> sp.Expr:
         """The radius at which the contact begins."""
         return self.known[self.profile.breaks[0]] if self.profile.truncated else sp.S.Zero
 
-    def root(self, entry: Entry, unknown: sp.Symbol, at: Values) -> sp.Float:
+    def root(self, entry: Entry, unknown: sp.Symbol, at: Values) -> Number:
         """The unknown that solves the equation of an entry, to 30 digits; searched from its drawn value."""
-        equations = _Numeric(entry, unknown, at, lambda expr: expr.lhs - expr.rhs)
-        with mp.workdps(30):
-            start, low = (mp.mpf(str(sp.N(x, 30))) for x in (self.known[unknown], self.floor))
+
+        def missed(x: Number) -> Number:
+            known = {**at, unknown: x}
+            equation = case_at(entry, known).expr
+            return number(equation.lhs - equation.rhs, known)
+
+        with mp.workdps(PRECISE):
+            start, low = shape.number(self.known[unknown]), shape.number(self.floor)
             if unknown == nt.a:  # at no step below a flat face
                 first = mp.log(start - low)
-                found = low + mp.exp(_secant(lambda above: equations(low + mp.exp(above)), first, first + STEP))
-            else:
-                found = _secant(equations, start, start * (1 + STEP))
-            return sp.Float(str(found), 30)
+                return low + mp.exp(_secant(lambda above: missed(low + mp.exp(above)), first, first + STEP))
+            return _secant(missed, start, start * (1 + STEP))
 
-    def least_force(self) -> sp.Float:
+    def least_force(self) -> Number:
         """The least of F(a)."""
         return self._least(self.entries["F"], lambda expr: expr)
 
-    def _least(self, entry: Entry, form: Callable[[Any], Any]) -> sp.Float:
+    def _least(self, entry: Entry, form: Callable[[Any], Any]) -> Number:
         """The least value up to the drawn radius, to 30 digits: on a grid, then next to its lowest point."""
-        curve = _Numeric(entry, nt.a, self.known, form)
-        with mp.workdps(30):
-            low = mp.mpf(str(sp.N(self.floor, 30)))
-            reach = mp.mpf(str(sp.N(self.known[nt.a], 30))) - low
+
+        def curve(x: Number) -> Number:
+            known = {**self.known, nt.a: x}
+            return number(form(case_at(entry, known).expr), known)
+
+        with mp.workdps(PRECISE):
+            low = shape.number(self.floor)
+            reach = shape.number(self.known[nt.a]) - low
             # a break itself belongs to no case
             grid = [low + reach * mp.mpf("1e-20"), *(low + reach * i / PLACES for i in range(1, PLACES + 1))]
             values = [curve(x) for x in grid]
             best = min(range(len(grid)), key=lambda i: values[i])
             below, above = grid[max(best - 1, 0)], grid[min(best + 1, len(grid) - 1)]
-            return sp.Float(str(min(values[best], least(curve, below, above))), 30)
+            return min(values[best], least(curve, below, above))
 
     def separation(self, name: str) -> list[str]:
         """The doctest of the work of separation of a pull-off force: its definition, searched for the least value."""
@@ -309,19 +273,3 @@ class Example:
 def _secant(equation: Callable[[Any], Any], first: Any, second: Any) -> Any:
     # a last step of 1e-25 leaves an error of 1e-38; below that are steps of rounding, half of all
     return mp.findroot(equation, (first, second), tol=mp.mpf("1e-25"), verify=False)
-
-
-class _Numeric:
-    """The cases of an entry as functions of one unknown."""
-
-    def __init__(self, entry: Entry, unknown: sp.Symbol, at: Values, form: Callable[[sp.Expr], sp.Expr]) -> None:
-        self.entry, self.unknown, self.at, self.form = entry, unknown, at, form
-        self.compiled: dict[Case, Callable[[Any], Any]] = {}
-
-    def __call__(self, x: Any) -> Any:
-        known = {**self.at, self.unknown: sp.Float(str(x), 30)}
-        case = _case(self.entry, known)
-        if case not in self.compiled:
-            expr = _plain(self.form(case.expr))
-            self.compiled[case] = function(expr, self.at, self.unknown)
-        return mp.re(self.compiled[case](x))

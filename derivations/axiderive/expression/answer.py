@@ -17,11 +17,10 @@ from ..abel.atoms import HyperboloidAtom, PowerAtom, SphereAtom
 from ..abel.reduce import NotReducibleError, parse
 from ..build.pool import Beside
 from ..code.bodies.general import least_power, library_source
-from ..code.example import number
 from ..code.normal import module as normal_module
 from ..entry import COMPACT, FOUR, Entry
 from ..notation import E_star, a, r
-from ..oracle.evaluate import case_at, evaluate
+from ..oracle.evaluate import case_at, evaluate, evaluated
 from ..physics import general, normal
 from ..physics.general import layers
 from ..physics.medium import GRADED, HOMOGENEOUS, Medium
@@ -259,7 +258,7 @@ def _compared(derived: Derived, known: dict[sp.Symbol, sp.Rational]) -> tuple[Co
             here[r] = at * sp.Rational(101, 100) if at in breaks else at
         expr, wanted = case_at(entry, here).expr, quantity(own, profile, suffix, radius, here.get(r))
         with mp.workdps(DIGITS + 5):
-            value = mp.mpf(str(number(expr, here))) if over_growth else evaluate(expr, here, DIGITS + 5)
+            value = evaluated(expr, here) if over_growth else evaluate(expr, here, DIGITS + 5)
             residual = abs(value / wanted - 1) if wanted else abs(value)
             found.append(Comparison(suffix, f"a = {float(radius):g}", float(residual)))
     return tuple(found)

@@ -11,7 +11,6 @@ import numpy as np
 import sympy as sp
 
 from .. import notation as nt
-from ..code import example
 from ..entry import Entry
 from ..exits import FAILED, CommandError
 from ..expression import ExpressionError
@@ -19,6 +18,7 @@ from ..expression.definition import Defined, Definition, Numeric, definition, le
 from ..expression.validity import examine
 from ..letters import name_of
 from ..oracle.definitions import greatest
+from ..oracle.evaluate import height
 from ..oracle.half_space import HalfSpace
 from ..oracle.shape import shape
 from ..physics.layer import thickness
@@ -179,7 +179,8 @@ class Contact:
     def height(self, at: float) -> mp.mpf:
         """f(r) at a radius, to 30 digits."""
         known = self.given() | {nt.r: sp.Rational(at)}
-        return mp.mpf(str(sp.N(example.shape_value(self.profile, known), 30)))
+        with mp.workdps(30):
+            return height(self.profile, known, known[nt.r])
 
     def half_space(self, digits: int = DIGITS, **places: float) -> HalfSpace:
         """The half-space, graded or not, under this profile at the values of the scene; `places` are fields by name."""

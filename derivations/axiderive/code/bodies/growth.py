@@ -28,9 +28,9 @@ import mpmath as mp
 import sympy as sp
 
 from ...entry import COMPACT
-from ...notation import a, r
+from ...notation import E_star, a, r
+from ...oracle.evaluate import evaluated, of_one_variable
 from ...profiles.profile import Profile
-from ..example import NUMERIC
 from .compact import Compact
 
 Range = tuple[sp.Expr, sp.Expr]
@@ -119,12 +119,10 @@ class Growth:
 
     def __init__(self, compact: Compact, suffix: str) -> None:
         self.compact, self.profile = compact, compact.profile
-        values = {symbol: sp.Float(str(value), DIGITS) for symbol, value in self.profile.sketch.values}
-        values[sp.Symbol("E_star", positive=True)] = sp.Float(1, DIGITS)
-        short = {symbol: sp.N(expr.subs(values), DIGITS) for symbol, expr in self.profile.abbreviations}
-        self.known = values | short
+        values = {symbol: sp.Rational(str(value)) for symbol, value in self.profile.sketch.values} | {E_star: sp.S.One}
+        self.known = values | {symbol: expr.subs(values) for symbol, expr in self.profile.abbreviations}
         regimes = compact.regimes(COMPACT[suffix].inverts)
-        self.curves = {key: sp.lambdify(a, case.expr.subs(self.known), NUMERIC) for key, case in regimes.items()}
+        self.curves = {key: of_one_variable(case.expr, a, self.known) for key, case in regimes.items()}
 
     @property
     def places(self) -> list[mp.mpf]:
@@ -134,7 +132,7 @@ class Growth:
 
     def number(self, expr: sp.Expr) -> mp.mpf:
         """The expression at the parameters of the sketch, as an mpmath number."""
-        return mp.mpf(str(sp.N(expr.subs(self.known), DIGITS)))
+        return evaluated(expr, self.known)
 
     def __call__(self, t: mp.mpf) -> mp.mpf:
         if self.profile.largest is not None:

@@ -20,13 +20,13 @@ import sympy as sp
 from ...abel.masters import IncompleteBeta
 from ...entry import Case, Entry
 from ...notation import E_star, L, P, a, e, n, r, x, x_zero
+from ...oracle.evaluate import of_one_variable
 from ...physics.plane import PRESSURE, SURFACE
 from ...stable.forms import EvaluationForm, evaluation_form, plane_form
 from ...stable.opaque import PowerPunches, PowerStrips, Root, named
 from ...stable.signs import facts_of
 from ...stable.slopes import slope_form
 from ...stable.variants import FULL, Variant
-from ..example import NUMERIC
 from ..function import Function
 from ..private import PrivateFunctions
 from ..text import printable, python
@@ -119,7 +119,7 @@ def exponents(entry: Entry) -> tuple[str, str]:
     with mp.workdps(60):
         for case in entry.cases:
             load = case.expr.subs(a, half_width)
-            slope = sp.lambdify(t, (t * sp.diff(load, t) / load).subs(values), NUMERIC)
+            slope = of_one_variable(t * sp.diff(load, t) / load, t, values)
             for k in DECADES:
                 point = mp.mpf(10) ** (mp.mpf(k) / 4)
                 if entry.profile.truncated or (point < 1 if case.below(a, b) else point > 1):
