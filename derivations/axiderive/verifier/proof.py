@@ -49,7 +49,11 @@ class Proof:
         self.flags = problem.flags.union(*(symbols(case.expr) for case in problem.entries[suffix]))
         self.lines = [line for line in self.section.lines if self.holds(line.conditions)]
         self.asked = [line for line in self.lines if line.word == "show"]
-        self.lets = [line for line in [*self.lines, *THEORY.lets] if line.word == "let"]
+        self.lets: dict[str, list[Line]] = {}
+        for line in [*self.lines, *THEORY.lets]:
+            if line.word == "let":
+                self.lets.setdefault(line.named[0], []).append(line)
+        self.constants = {**problem.medium, **problem.ends}
         self.levels = [line for line in self.lines if line.word == "level"]
         self.places: dict[tuple[Tree, Domain], Tree] = {}
         self.used: list[tuple[Case, Chain, Chain]] = []
@@ -104,14 +108,14 @@ class Proof:
 
     def needs(self) -> list[tuple[Problem, str]]:
         """The quantities that the statements name, of this problem and of the normal contact below."""
-        lets = [(line.named[0], line) for line in self.lets]
+        lets = [(name, line) for name, lines in self.lets.items() for line in lines]
         names, left = self.section.first("needs"), [*self.levels, *self.asked]
         while left:
             found = [name for formula in left.pop().formulas() for name in mentioned(formula)]
             names += [name.strip("[]") for name in found if name.startswith("[")]
             left += [line for name, line in lets if name in (one.strip("[]") for one in found)]
             lets = [(name, line) for name, line in lets if line not in left]
-        quantities = {name: None for name in names if name != "f" and all(line.named[0] != name for line in self.lets)}
+        quantities = {name: None for name in names if name != "f" and name not in self.lets}
         beside = {self.suffix, *self.section.first("beside")}
         sources = [self.source(name)[1:] for name in quantities]
         return [(problem, suffix) for problem, suffix in sources if problem is not self.problem or suffix not in beside]
@@ -141,18 +145,18 @@ class Proof:
         if head == "[f]":
             piece = self.problem.pieces[sum(domain.below(b, parts[0]) for b in self.problem.breaks)]
             return put(piece, {"r": parts[0], "x": parts[0]})
-        if any(line.named[0] == head[1:-1] for line in self.lets):
+        if head[1:-1] in self.lets:
             return self.let(head[1:-1], parts, domain)
         side, problem, suffix = self.source(head[1:-1])
         return problem.proof(suffix).formula(side, parts, domain, self)
 
     def let(self, name: str, parts: list[Tree], domain: Domain) -> Tree:
         """What a name of the table stands for; the name itself where it is a symbol."""
-        for line in self.lets:
-            known, letters, formula = line.named
-            if known == name and self.holds(line.conditions, domain):
+        for line in self.lets.get(name, ()):
+            _, letters, formula = line.named
+            if self.holds(line.conditions, domain):
                 return self.expand(put(formula, dict(zip(letters, parts, strict=True))), domain)
-        return {**self.problem.medium, **self.problem.ends}.get(name, name)
+        return self.constants.get(name, name)
 
     def formula(self, side: str, parts: list[Tree], domain: Domain, asking: Proof) -> Tree:
         """The formula of this quantity in a domain, with other letters; `UnknownError` if there is not one of them."""
